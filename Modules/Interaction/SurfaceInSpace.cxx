@@ -109,7 +109,7 @@ void SurfaceInSpace::Update()
   this->Time = time;
   this->Mapper->SetInputData(WithNormals(this->Shown->GetSurface()));
   const bool isWireframe = this->Shown->GetWireframe();
-  this->Surface->SetPickable(isWireframe ? 0 : 1);
+  this->Surface->SetPickable(isWireframe || !this->Shown->GetPickable() ? 0 : 1);
   this->Surface->GetProperty()->SetRepresentation(isWireframe ? VTK_WIREFRAME : VTK_SURFACE);
   this->SetMaterial();
   this->ColorByArray();

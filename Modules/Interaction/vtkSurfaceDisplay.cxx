@@ -25,6 +25,7 @@ void vtkSurfaceDisplay::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Forbidden: " << this->Forbidden << '\n';
   os << indent << "LineWidth: " << this->LineWidth << '\n';
   os << indent << "Wireframe: " << this->Wireframe << '\n';
+  os << indent << "Pickable: " << this->Pickable << '\n';
   os << indent << "ColorArray: " << this->ColorArray << '\n';
   os << indent << "ColorLimit: " << this->ColorLimit << '\n';
 }

@@ -77,6 +77,12 @@ public:
   vtkBooleanMacro(Wireframe, bool);
   ///@}
   ///@{
+  /** Whether a point of it can be picked in 3D; if not, what is behind it. On by default. */
+  vtkSetMacro(Pickable, bool);
+  vtkGetMacro(Pickable, bool);
+  vtkBooleanMacro(Pickable, bool);
+  ///@}
+  ///@{
   /** The one-component point array that colours it in 3D; empty for none, the default. */
   vtkSetStdStringFromCharMacro(ColorArray);
   vtkGetCharFromStdStringMacro(ColorArray);
@@ -108,6 +114,7 @@ private:
   bool Forbidden = false;
   double LineWidth = 1.5;
   bool Wireframe = false;
+  bool Pickable = true;
   std::string ColorArray;
   double ColorLimit = 0.0;
 };

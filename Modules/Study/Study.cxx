@@ -202,7 +202,11 @@ void Study::RelocateFile(const std::filesystem::path& missing, const std::filesy
 
 bool Study::Change(const std::string& message, const StudyState& next, const std::string& gesture)
 {
-  const bool isChanged = this->Steps.Change(message, next, gesture);
+  return this->FollowIf(this->Steps.Change(message, next, gesture));
+}
+
+bool Study::FollowIf(bool isChanged)
+{
   if (isChanged)
   {
     this->Follow();
@@ -210,25 +214,12 @@ bool Study::Change(const std::string& message, const StudyState& next, const std
   return isChanged;
 }
 
-bool Study::Undo()
-{
-  const bool isUndone = this->Steps.Undo();
-  this->Follow();
-  return isUndone;
-}
-
-bool Study::Redo()
-{
-  const bool isRedone = this->Steps.Redo();
-  this->Follow();
-  return isRedone;
-}
-
 // Updates products and touch to the current state.
 void Study::Follow()
 {
   this->Made.Update(this->State());
   this->AdoptStructures();
+  this->Organ.Follow(this->State().Drawing);
   this->FollowByTouch();
 }
 
@@ -325,13 +316,16 @@ StudyState Study::WithTool()
     }
   }
   this->ReadTool = state.Tool;
+  this->Organ.AddTo(state);
   return state;
 }
 
 std::vector<SceneContact> Study::Contacts() const
 {
-  return ContactsOf(this->State(),
-                    [this](SceneStep step, int id) { return this->Made.NewestProduct(step, id); });
+  std::vector<SceneContact> contacts = ContactsOf(this->State(), [this](SceneStep step, int id)
+                                                  { return this->Made.NewestProduct(step, id); });
+  this->Organ.AddTo(contacts);
+  return contacts;
 }
 
 void Study::TurnAxes(const Matrix3& rotation)

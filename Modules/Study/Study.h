@@ -2,6 +2,7 @@
 
 #include "PalpateStudyModule.h"
 #include "QualityReport.h"
+#include "StudyDrawn.h"
 #include "StudyDrillFiles.h"
 #include "StudyHistory.h"
 #include "StudyJobs.h"
@@ -48,6 +49,8 @@ public:
   const StudyHistory& History() const { return this->Steps; }
   StudyPipeline& Pipeline() { return this->Made; }
   StudyTouch& Touch() { return this->Felt; }
+  /// The organ that is drawn by touch.
+  const StudyDrawn& Drawn() const { return this->Organ; }
   /// Contacts that can be touched now.
   std::vector<SceneContact> Contacts() const;
   StudyJobs& Jobs() { return this->Work; }
@@ -104,8 +107,8 @@ public:
   bool Change(const std::string& message, const StudyState& next, const std::string& gesture = {});
   void EndGesture() { this->Steps.EndGesture(); }
   void ChangeView(const StudyView& view) { this->Steps.ChangeView(view); }
-  bool Undo();
-  bool Redo();
+  bool Undo() { return this->FollowIf(this->Steps.Undo()); }
+  bool Redo() { return this->FollowIf(this->Steps.Redo()); }
 
   /// Measures the quality presets at every touchable label, on the worker; existing measurements of
   /// the same structure with the same tool are kept.
@@ -168,6 +171,7 @@ public:
 private:
   void Begin(const StudyState& state, const std::filesystem::path& file);
   void Follow();
+  bool FollowIf(bool isChanged);
   void ChangeByFile(const std::string& message, const StudyState& next);
   void AdoptStructures();
   void PrepareTouch();
@@ -182,6 +186,7 @@ private:
   StudyHistory Steps;
   StudyJobs Work;
   StudyPipeline Made{Work};
+  StudyDrawn Organ{Work};
   StudyTouch Felt;
   StudyDrillFiles DrillFiles{Work};
   StudyWriting Written{Work};

@@ -72,6 +72,24 @@ void ExchangeMeasurements(JsonFields& fields, std::vector<StudyMeasurement>& mea
   fields.Require(open <= 1, "has two open measurements", "set \"open\" in one of them only");
 }
 
+void ExchangeTouch(JsonFields& fields, SurfaceTouch& touch)
+{
+  fields.Exchange("position_mm", touch.PointWorld, -LargestPlace, LargestPlace);
+  fields.Exchange("sd_mm", touch.Deviation, LeastTouchDeviation, LargestTouchDeviation);
+  fields.Exchange("normal", touch.Normal, -2.0, 2.0);
+  fields.ExchangeIfSet("stroke", touch.Stroke, 0, std::numeric_limits<int>::max());
+  fields.ExchangeIfSet("outside", touch.IsOutside);
+}
+
+void ExchangeDrawing(JsonFields& fields, StudyDrawing& drawing)
+{
+  fields.ExchangeIfSet("prior", drawing.PriorFile);
+  fields.Exchange("sigma_mm", drawing.Sigma, LeastTouchDeviation, LargestTouchDeviation);
+  fields.Exchange("center_mm", drawing.CenterWorld, -LargestPlace, LargestPlace);
+  fields.ExchangeList("touches", drawing.Touches, ExchangeTouch);
+  fields.Exchange("touchable", drawing.IsTouchable);
+}
+
 void ExchangeRendering(JsonFields& fields, StudyRendering& rendering)
 {
   fields.Exchange("seen", rendering.IsShown);
@@ -134,6 +152,10 @@ void ExchangeStudy(JsonFields& fields, StudyState& state, std::filesystem::path&
   fields.ExchangeObject("scene", state, ExchangeScene);
   fields.ExchangeList("landmarks", state.Landmarks, ExchangeLandmark);
   ExchangeMeasurements(fields, state.Measurements);
+  if (fields.IsReading() || !(state.Drawing == StudyDrawing()))
+  {
+    fields.ExchangeObject("drawing", state.Drawing, ExchangeDrawing);
+  }
   fields.ExchangeObject("view", state.View, ExchangeView);
   fields.RefuseOthers();
 }

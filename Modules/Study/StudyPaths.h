@@ -12,6 +12,7 @@ void ForEachPath(State& state, const Function& visit)
   visit("volume", state.VolumeFile);
   visit("segmentation", state.SegmentationFile);
   visit("tool", state.Tool.File);
+  visit("prior", state.Drawing.PriorFile);
   for (auto& volume : state.Volumes)
   {
     visit("volume", volume.File);

@@ -2,6 +2,7 @@
 
 #include "PalpateStudyModule.h"
 #include "SceneSettings.h"
+#include "StudyDrawing.h"
 #include "StudyMeasurement.h"
 #include "VolumeColors.h"
 #include "VolumePreset.h"
@@ -78,6 +79,7 @@ struct StudyState : SceneSettings
 
   std::vector<StudyLandmark> Landmarks;
   std::vector<StudyMeasurement> Measurements; ///< at most one is open
+  StudyDrawing Drawing;
   StudyView View;
 };
 

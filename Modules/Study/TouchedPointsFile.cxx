@@ -8,6 +8,7 @@
 #include "TableEncoding.h"
 #include "WholeFile.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <sstream>
@@ -144,6 +145,50 @@ std::string TableOfFcsv(const std::string& text, double& side)
   }
   return head + "\n" + rows;
 }
+
+std::string TableOf(const std::vector<SurfaceTouch>& touches)
+{
+  std::string text = "x,y,z,nx,ny,nz,sd,stroke,outside\n";
+  for (const SurfaceTouch& touch : touches)
+  {
+    for (const double number : touch.PointWorld)
+    {
+      text += ExactText(number) + ",";
+    }
+    for (Eigen::Index axis = 0; axis < 3; ++axis)
+    {
+      text += (touch.Normal ? ExactText((*touch.Normal)[axis]) : "") + ",";
+    }
+    text += ExactText(touch.Deviation) + "," + std::to_string(touch.Stroke) + "," +
+            (touch.IsOutside ? "1" : "0") + "\n";
+  }
+  return text;
+}
+
+StudyMarkups MarkupsOfTouches(const std::vector<SurfaceTouch>& touches)
+{
+  StudyMarkups markups;
+  int last = 0;
+  for (const SurfaceTouch& touch : touches)
+  {
+    if (touch.Stroke == 0)
+    {
+      markups.Landmarks.push_back(
+          {"T-" + std::to_string(markups.Landmarks.size() + 1), touch.PointWorld});
+      continue;
+    }
+    if (touch.Stroke != last)
+    {
+      last = touch.Stroke;
+      StudyMeasurement stroke;
+      stroke.Kind = MeasurementKind::Curve;
+      stroke.Name = "Stroke " + std::to_string(last);
+      markups.Measurements.push_back(std::move(stroke));
+    }
+    markups.Measurements.back().PointsWorld.push_back(touch.PointWorld);
+  }
+  return markups;
+}
 } // namespace
 
 std::vector<std::string> TouchedPointsEndings()
@@ -176,5 +221,25 @@ std::vector<SurfaceTouch> ReadTouchedPoints(const std::filesystem::path& file, d
     Refuse(file, "has no points", TouchRemedy);
   }
   return touches;
+}
+
+void WriteTouchedPoints(const std::filesystem::path& file, const std::vector<SurfaceTouch>& touches)
+{
+  if (touches.empty())
+  {
+    Refuse(file, "was not written, since there are no touches", "touch the organ first");
+  }
+  if (!IsMarkupsFile(file))
+  {
+    WriteWholeFile(file, TableOf(touches));
+    return;
+  }
+  if (std::any_of(touches.begin(), touches.end(),
+                  [](const SurfaceTouch& touch) { return touch.IsOutside; }))
+  {
+    Refuse(file, "was not written: markups cannot say that a point is outside",
+           "write a table, with the ending .csv");
+  }
+  WriteMarkups(file, MarkupsOfTouches(touches));
 }
 } // namespace palpate

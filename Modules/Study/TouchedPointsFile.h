@@ -21,4 +21,11 @@ PALPATESTUDY_EXPORT std::vector<std::string> TouchedPointsEndings();
 /// or of more than 16 MiB.
 PALPATESTUDY_EXPORT std::vector<SurfaceTouch> ReadTouchedPoints(const std::filesystem::path& file,
                                                                 double deviation);
+
+/// Writes touches so that ReadTouchedPoints reads them, under AtomicFile's rules, by the ending:
+/// .csv with all columns and full precision; .mrk.json with points and strokes alone. Throws
+/// InputError, also for no touches, and for touches outside in .mrk.json, which has no place for
+/// them.
+PALPATESTUDY_EXPORT void WriteTouchedPoints(const std::filesystem::path& file,
+                                            const std::vector<SurfaceTouch>& touches);
 } // namespace palpate

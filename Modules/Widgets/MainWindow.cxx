@@ -242,7 +242,9 @@ void MainWindow::MakePanels()
   connect(relations, &RelationsPanel::Chosen, this, &MainWindow::LookAtPlace);
   this->tabifyDockWidget(plots, marks);
   this->tabifyDockWidget(marks, related);
-  this->tabifyDockWidget(related, this->MakeCheck());
+  QDockWidget* checked = this->MakeCheck();
+  this->tabifyDockWidget(related, checked);
+  this->tabifyDockWidget(checked, this->MakeDrawing());
   this->resizeDocks({plots}, {BottomHeight}, Qt::Vertical);
   connect(this->Marks->Tool(), &QAction::toggled, this,
           [marks](bool isOn)
@@ -254,6 +256,7 @@ void MainWindow::MakePanels()
             }
           });
   this->Touching->addAction(this->Marks->TouchTool());
+  this->Touching->addActions({this->Drawing->Mode(), this->Drawing->TouchTool()});
   // In the views only: elsewhere these keys end an input.
   for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
   {
@@ -264,7 +267,7 @@ void MainWindow::MakePanels()
   auto* tools = new ToolRow(this->Study, this);
   tools->Add(this->Files->Tools());
   tools->Add(this->Viewing->Tools());
-  tools->Add({this->Marks->Tool()});
+  tools->Add({this->Marks->Tool(), this->Drawing->Mode()});
   tools->Add(this->Touching->Tools());
   this->addToolBar(tools);
 }
@@ -282,6 +285,40 @@ QDockWidget* MainWindow::MakeCheck()
             check->Check();
           });
   return dock;
+}
+
+QDockWidget* MainWindow::MakeDrawing()
+{
+  this->Drawing = new DrawingLink(
+      this->Study, this->Shown, *this->Grid,
+      [this] { return this->Marks->Placer()->TouchedPoint().PointWorld; }, this);
+  this->Drawn = new DrawingPanel(this->Study, *this->Drawing, this->Questions, this);
+  connect(this->Drawn, &DrawingPanel::Chosen, this, &MainWindow::LookAtPlace);
+  QDockWidget* dock = this->AddPanel("Drawn organ", this->Drawn);
+  connect(this->Drawing->Mode(), &QAction::toggled, dock,
+          [dock](bool isOn)
+          {
+            if (isOn)
+            {
+              dock->show();
+              dock->raise();
+            }
+          });
+  return dock;
+}
+
+// One mode of the mouse at a time.
+void MainWindow::TakeMode(QAction* mode, bool isOn)
+{
+  for (QAction* other : {this->Marks->Tool(), this->Drawing->Mode()})
+  {
+    if (isOn && other != mode)
+    {
+      other->setChecked(false);
+    }
+  }
+  this->findChild<TouchLink*>()->LeaveClicks(this->Marks->IsAdding() ||
+                                             this->Drawing->Mode()->isChecked());
 }
 
 void MainWindow::LookAtPlace(const Vector3& place)
@@ -313,7 +350,7 @@ void MainWindow::ConnectViews()
   this->Shown.Images()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
   new StructureLink(
       *this->findChild<StructuresPanel*>(), this->Shown, *this->Grid,
-      [this] { return !this->Marks->IsAdding(); }, this);
+      [this] { return !this->Marks->IsAdding() && !this->Drawing->Mode()->isChecked(); }, this);
   new VolumeRenderingLink(this->Study, this->Shown, *this->Grid->Space(), this);
   auto* link = new TouchLink(this->Study, this->Shown, *this->Grid, this);
   connect(this->Touching, &TouchMenu::WorkspaceShown, link, &TouchLink::ShowWorkspace);
@@ -321,11 +358,15 @@ void MainWindow::ConnectViews()
   this->Grid->Space()->PushAlongSight(this->Touching->PushAlongSight()->isChecked());
   connect(this->Touching->PushAlongSight(), &QAction::toggled, this->Grid->Space(),
           &SpacePane::PushAlongSight);
-  connect(this->Marks->Tool(), &QAction::toggled, link, &TouchLink::LeaveClicks);
+  for (QAction* mode : {this->Marks->Tool(), this->Drawing->Mode()})
+  {
+    connect(mode, &QAction::toggled, this, [this, mode](bool isOn) { this->TakeMode(mode, isOn); });
+  }
   connect(link, &TouchLink::Escaped, this,
           [this]
           {
             this->Marks->Tool()->setChecked(false);
+            this->Drawing->Mode()->setChecked(false);
             this->Touching->MoveWorkspace()->setChecked(false);
           });
   link->SoundAlarms(this->Touching->AlarmSound()->isChecked());
@@ -368,7 +409,8 @@ void MainWindow::ShowCentre()
 {
   const StudyState& state = this->Study.State();
   const bool isEmpty = state.VolumeFile.empty() && state.SegmentationFile.empty() &&
-                       state.Structures.empty() && !this->Study.IsReplaying();
+                       state.Structures.empty() && !state.Drawing.HasPlaces() &&
+                       !this->Study.IsReplaying();
   if (isEmpty && !this->Start->isVisible())
   {
     this->Start->ShowRecent(RecentFiles());
@@ -462,6 +504,7 @@ void MainWindow::Follow(const Preferences& preferences)
   this->Shown.SetLengthUnit(preferences.Unit);
   this->Status->SetLengthUnit(preferences.Unit);
   this->Marks->SetLengthUnit(preferences.Unit);
+  this->Drawn->SetLengthUnit(preferences.Unit);
   this->Study.BeginWith(preferences.NewStudy());
   this->Habits = preferences;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DrawingPanel.h"
 #include "FileMenu.h"
 #include "FileQuestions.h"
 #include "KeyBindings.h"
@@ -60,6 +61,8 @@ private:
   void AddSection(const QString& title, QWidget* content, bool isOpen);
   QDockWidget* AddPanel(const QString& title, QWidget* panel);
   QDockWidget* MakeCheck();
+  QDockWidget* MakeDrawing();
+  void TakeMode(QAction* mode, bool isOn);
   void ShowState();
   void ShowTitle();
   void ShowChange();
@@ -85,6 +88,8 @@ private:
   ViewMenu* Viewing = nullptr;
   TouchMenu* Touching = nullptr;
   LandmarksPanel* Marks = nullptr;
+  DrawingLink* Drawing = nullptr;
+  DrawingPanel* Drawn = nullptr;
   QMenu* Panels = nullptr;
   QAction* Undo = nullptr;
   QAction* Redo = nullptr;

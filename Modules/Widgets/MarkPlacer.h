@@ -33,6 +33,8 @@ public:
   void Place(const Vector3& pointWorld) { this->Place(PlacedPoint{pointWorld, 0}); }
   /// At the contact of the tool, or at the tool itself without contact.
   void PlaceWhereTouched();
+  /// There: the nearest point of the displayed surface of the touched structure, if it has one.
+  PlacedPoint TouchedPoint();
   /// Ends the open curve. Without two points it is removed.
   void End();
   /// Whether there is a curve to end.
@@ -52,7 +54,6 @@ private:
   void PlaceWaiting();
   void ShowPreparing();
   void FollowTouch();
-  PlacedPoint TouchedPoint();
   void TakeSurfaces();
 
   StudyController& Study;

@@ -68,11 +68,11 @@ void StatusLine::ShowTouch()
   if (this->Study.IsTouching())
   {
     const TouchNotice notice = TouchNotice::Of(reading);
-    const SceneStructure* touched = FindStructure(this->Study.State(), reading.TouchedId);
+    const QString touched = this->Study.TouchedTitle();
     text = notice.Is == TouchNotice::Kind::Alarm     ? notice.Text
            : notice.Is == TouchNotice::Kind::NoForce ? QString("No force")
-           : touched != nullptr                      ? QString("Touches %1: %2 N")
-                                      .arg(ScreenString(TitleOf(*touched)))
+           : !touched.isEmpty()                      ? QString("Touches %1: %2 N")
+                                      .arg(touched)
                                       .arg(Vector3(reading.Newest.ForceWorld).norm(), 0, 'f', 2)
                                 : QString("Touch is on");
   }

@@ -265,8 +265,8 @@ void TouchPanel::ShowReading()
   const QString safety = ScreenString(reading.Safety);
   this->Safety->setText(this->Study.IsReplaying() ? "Then: " + safety : safety);
   this->ShowRecording();
-  const SceneStructure* touched = FindStructure(this->Study.State(), reading.TouchedId);
-  const QString name = touched != nullptr ? ScreenString(TitleOf(*touched)) : "nothing";
+  const QString touched = this->Study.TouchedTitle();
+  const QString name = touched.isEmpty() ? "nothing" : touched;
   QString felt = QString("Touches %1: %2 N, %3 mm deep")
                      .arg(name)
                      .arg(Norm(reading.Newest.ForceWorld), 0, 'f', 2)

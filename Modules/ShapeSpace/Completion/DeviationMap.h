@@ -21,7 +21,8 @@ public:
 
   const std::vector<Vector3>& Directions() const noexcept { return this->Rays; }
 
-  /// Standard deviations (mm), one for each direction. `completion` must have the same prior.
+  /// Standard deviations (mm), one for each direction. `completion` must have the same prior, or
+  /// one of the same covariance, as all of ShapePrior::Smooth are.
   /// Allocates little for as many touches as before.
   const Eigen::VectorXd& Evaluate(const ShapeCompletion& completion);
   /// Where to touch next, mm: `count` points of the surface in these directions, each the one whose

@@ -18,4 +18,10 @@ struct SurfaceTouch
   int Stroke = 0;
   bool IsOutside = false; ///< the surface does not reach as far as the point, which is not on it
 };
+
+inline bool operator==(const SurfaceTouch& a, const SurfaceTouch& b)
+{
+  return a.PointWorld == b.PointWorld && a.Deviation == b.Deviation && a.Normal == b.Normal &&
+         a.Stroke == b.Stroke && a.IsOutside == b.IsOutside;
+}
 } // namespace palpate

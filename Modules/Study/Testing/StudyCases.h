@@ -211,6 +211,30 @@ inline StudyMeasurement RandomMeasurement(Random& random)
 }
 
 /// Most entries differ from their defaults.
+inline StudyDrawing RandomDrawing(Random& random)
+{
+  StudyDrawing drawing;
+  drawing.PriorFile = RandomChoice(random) ? "" : StudyPath("../prior.json");
+  drawing.Sigma = RandomNumber(random, 0.1, 3.0);
+  drawing.IsTouchable = RandomChoice(random);
+  if (RandomChoice(random))
+  {
+    drawing.CenterWorld = RandomPlace(random);
+  }
+  for (int i = RandomWhole(random, 0, 5); i > 0; --i)
+  {
+    SurfaceTouch touch{RandomPlace(random), RandomNumber(random, 0.1, 3.0)};
+    if (RandomChoice(random))
+    {
+      touch.Normal = RandomPlace(random).normalized();
+    }
+    touch.Stroke = RandomWhole(random, 0, 3);
+    touch.IsOutside = RandomChoice(random);
+    drawing.Touches.push_back(touch);
+  }
+  return drawing;
+}
+
 inline StudyState RandomStudy(Random& random)
 {
   StudyState state;
@@ -231,6 +255,7 @@ inline StudyState RandomStudy(Random& random)
     state.Measurements.front().IsOpen = true;
     state.Measurements.front().PointsWorld.resize(1);
   }
+  state.Drawing = RandomDrawing(random);
   RandomizeFit(random, state.Fit);
   RandomizeTouch(random, state);
   state.View = RandomView(random);

@@ -107,5 +107,34 @@ TEST_F(TouchedPointsFile, RefusesWhatItCannotRead)
   EXPECT_TRUE(Contains(this->Refusal("x,y,z,nx,ny\n1,2,3,0,1\n"), "no number for nz"));
   EXPECT_TRUE(Contains(this->Refusal("x,y,z\n"), "has no points"));
 }
+
+TEST_F(TouchedPointsFile, TableHoldsAllThatIsKnown)
+{
+  const std::vector<SurfaceTouch> touches{{{1.0 / 3.0, -2e-7, 3.0}, 0.25, Vector3(0.6, 0.0, -0.8)},
+                                          {{4.0, 5.0, 6.0}, 1.5, std::nullopt, 2},
+                                          {{7.0, 8.0, 9.0}, 1.0, std::nullopt, 0, true}};
+  WriteTouchedPoints(this->Folder / "t.csv", touches);
+  EXPECT_EQ(ReadTouchedPoints(this->Folder / "t.csv", 0.7), touches);
+}
+
+TEST_F(TouchedPointsFile, MarkupsHoldPointsAndStrokes)
+{
+  const std::vector<SurfaceTouch> touches{{{1.0, 2.0, 3.0}, 0.7},
+                                          {{4.0, 5.0, 6.0}, 0.7, std::nullopt, 1},
+                                          {{5.0, 5.0, 6.0}, 0.7, std::nullopt, 1},
+                                          {{6.0, 5.0, 7.0}, 0.7, std::nullopt, 1}};
+  WriteTouchedPoints(this->Folder / "t.mrk.json", touches);
+  EXPECT_EQ(ReadTouchedPoints(this->Folder / "t.mrk.json", 0.7), touches);
+}
+
+TEST_F(TouchedPointsFile, RefusesToLosePointsOutside)
+{
+  const std::vector<SurfaceTouch> touches{{{7.0, 8.0, 9.0}, 1.0, std::nullopt, 0, true}};
+  const std::string message =
+      MessageOf([&] { WriteTouchedPoints(this->Folder / "t.mrk.json", touches); });
+  EXPECT_NE(message.find("outside"), std::string::npos) << message;
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "t.mrk.json"));
+  EXPECT_NE(MessageOf([&] { WriteTouchedPoints(this->Folder / "t.csv", {}); }), "");
+}
 } // namespace
 } // namespace palpate::touched_points_file_test

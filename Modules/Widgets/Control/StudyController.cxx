@@ -57,6 +57,14 @@ StudyStepState StudyController::StateOf(SceneStep step)
                                                        : this->Open.Pipeline().StateOf(step);
 }
 
+QString StudyController::TouchedTitle() const
+{
+  const SceneStructure* touched = FindStructure(this->State(), this->Felt.TouchedId);
+  return touched != nullptr                                ? ScreenString(TitleOf(*touched))
+         : this->Felt.TouchedId == StudyDrawn::StructureId ? "the drawn organ"
+                                                           : QString();
+}
+
 StudyOpening::Outcome StudyController::OutcomeOf(const std::filesystem::path& file)
 {
   return {[this, name = QString::fromStdString(StudyPath(file).string())]

@@ -38,7 +38,12 @@ public:
   const StudyTouchReading& Reading() const { return this->Felt; }
   bool IsTouching() { return this->Open.Touch().IsRunning(); }
   /// Whether a structure is touchable; and whether there is an image whose values could be.
-  bool CanTouch() const { return HasTouchable(this->State()); }
+  bool CanTouch() const
+  {
+    return HasTouchable(this->State()) || this->Open.Drawn().Organ().Surface() != nullptr;
+  }
+  /// What the tool touches; empty: nothing.
+  QString TouchedTitle() const;
   bool HasValues() { return this->Open.Pipeline().Newest<Volume>(SceneStep::Volume) != nullptr; }
   bool IsRecording() { return this->Open.Touch().IsRecording(); }
   /// Whether a recorded touch is replayed; Reading is then the one at its current time.

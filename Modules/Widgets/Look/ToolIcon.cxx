@@ -107,6 +107,17 @@ QPainterPath EyePath()
   return path;
 }
 
+// A ball on the outline of an organ.
+QPainterPath DrawPath()
+{
+  QPainterPath path(QPointF(19, 13));
+  path.cubicTo(QPointF(21, 19), QPointF(15, 22), QPointF(10, 21));
+  path.cubicTo(QPointF(4, 20), QPointF(2, 15), QPointF(4, 10));
+  path.cubicTo(QPointF(5, 7), QPointF(8, 5), QPointF(12, 5));
+  path.addEllipse(QPointF(18, 7), 4, 4);
+  return path;
+}
+
 void Draw(ToolSign sign, QPainter& painter)
 {
   switch (sign)
@@ -125,6 +136,8 @@ void Draw(ToolSign sign, QPainter& painter)
     return painter.drawPath(FitPath());
   case ToolSign::Landmark:
     return painter.drawPath(LandmarkPath());
+  case ToolSign::Draw:
+    return painter.drawPath(DrawPath());
   case ToolSign::Screenshot:
     return painter.drawPath(ScreenshotPath());
   case ToolSign::Touch:

@@ -13,6 +13,7 @@ enum class ToolSign
   WindowLevel,
   Fit,
   Landmark,
+  Draw,
   Screenshot,
   Touch,
   Record,

@@ -24,6 +24,16 @@ void ShownMarks::ShowPreview(const std::optional<StudyMeasurement>& preview)
   }
 }
 
+void ShownMarks::ShowDrawing(const StudyDrawing& drawing, const std::vector<Vector3>& next)
+{
+  if (!(this->Drawing == drawing) || this->Next != next)
+  {
+    this->Drawing = drawing;
+    this->Next = next;
+    this->Update();
+  }
+}
+
 void ShownMarks::SetLengthUnit(LengthUnit unit)
 {
   this->Unit = unit;
@@ -47,6 +57,37 @@ void ShownMarks::Update()
   if (this->Preview)
   {
     this->Add(*this->Preview);
+  }
+  this->AddDrawing();
+}
+
+void ShownMarks::AddDrawing()
+{
+  vtkNew<vtkPoints> line;
+  line->SetDataTypeToDouble();
+  const std::vector<SurfaceTouch>& all = this->Drawing.Touches;
+  for (std::size_t n = 0; n < all.size(); ++n)
+  {
+    if (all[n].Stroke == 0)
+    {
+      this->Shown->AddLandmark(all[n].IsOutside ? "outside" : "", all[n].PointWorld.data());
+      continue;
+    }
+    line->InsertNextPoint(all[n].PointWorld.data());
+    if (n + 1 == all.size() || all[n + 1].Stroke != all[n].Stroke)
+    {
+      this->Shown->AddCurve("", all[n].PointWorld.data(), line, false);
+      line->Initialize();
+    }
+  }
+  if (this->Drawing.CenterWorld)
+  {
+    this->Shown->AddLandmark("middle", this->Drawing.CenterWorld->data());
+  }
+  for (std::size_t n = 0; n < this->Next.size(); ++n)
+  {
+    const std::string number = std::to_string(all.size() + n + 1);
+    this->Shown->AddLandmark(number.c_str(), this->Next[n].data());
   }
 }
 

@@ -19,6 +19,9 @@ public:
   /// only what the study has.
   void ShowPreview(const std::optional<StudyMeasurement>& preview);
 
+  /// Touches of an organ, and where to touch it next (world, mm).
+  void ShowDrawing(const StudyDrawing& drawing, const std::vector<Vector3>& next);
+
   void SetLengthUnit(LengthUnit unit);
 
   vtkLandmarks* Display() const { return this->Shown; }
@@ -26,11 +29,14 @@ public:
 private:
   void Update();
   void Add(const StudyMeasurement& measurement);
+  void AddDrawing();
 
   vtkNew<vtkLandmarks> Shown;
   LengthUnit Unit = LengthUnit::Millimeter;
   std::vector<StudyLandmark> Landmarks;
   std::vector<StudyMeasurement> Measurements;
   std::optional<StudyMeasurement> Preview;
+  StudyDrawing Drawing;
+  std::vector<Vector3> Next;
 };
 } // namespace palpate

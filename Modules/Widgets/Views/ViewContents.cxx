@@ -96,6 +96,12 @@ void ViewContents::Show(const StudyState& state, const StudyPipeline& pipeline)
   this->ShowView(state.View);
 }
 
+void ViewContents::ShowDrawing(const DrawnOrgan& organ, const StudyDrawing& drawing, bool areMarked)
+{
+  this->Drawn.Show(organ);
+  this->Marks.ShowDrawing(drawing, areMarked ? organ.Next() : std::vector<Vector3>());
+}
+
 // Without a volume, slices are through the middle of what is shown, until the user moves them.
 void ViewContents::FollowSurfaces()
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "NearestOnSurfaces.h"
+#include "ShownDrawing.h"
 #include "ShownImages.h"
 #include "ShownMarks.h"
 #include "StructurePlaces.h"
@@ -49,6 +50,8 @@ public:
   {
     this->Marks.ShowPreview(preview);
   }
+  /// The organ that is drawn by touch; with touches and next places as marks.
+  void ShowDrawing(const DrawnOrgan& organ, const StudyDrawing& drawing, bool areMarked);
   /// Of measurements' values.
   void SetLengthUnit(LengthUnit unit) { this->Marks.SetLengthUnit(unit); }
   /// `view` with the user's crosshair, window and opacity.
@@ -59,6 +62,7 @@ public:
   vtkCrosshair* Crosshair() const { return this->CrosshairShown; }
   vtkLandmarks* Landmarks() const { return this->Marks.Display(); }
   vtkProbeRepresentation* Probe() const { return this->ProbeShown; }
+  const ShownDrawing& Drawing() const { return this->Drawn; }
   vtkSurfaceDisplay* Workspace() const { return this->WorkspaceShown; }
   /// By the structure's label.
   const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Surfaces() const
@@ -111,6 +115,7 @@ private:
   ShownImages Pictures;
   vtkNew<vtkCrosshair> CrosshairShown;
   ShownMarks Marks;
+  ShownDrawing Drawn;
   vtkNew<vtkProbeRepresentation> ProbeShown;
   NearestOnSurfaces Around; // the tool
   vtkNew<vtkSurfaceDisplay> WorkspaceShown;

@@ -70,6 +70,7 @@ void ViewPane::Show(vtkLinkedView* view, const ViewContents& contents)
   this->Follow(contents.Landmarks());
   this->Follow(contents.Probe());
   this->AddSurface(contents.Workspace());
+  this->AddSurface(contents.Drawing().Display());
 }
 
 void ViewPane::AddSurface(vtkSurfaceDisplay* surface)
@@ -136,13 +137,19 @@ void ViewPane::RenderNow()
   }
 }
 
+QPointF ViewPane::PlaceOf(const QMouseEvent& mouse) const
+{
+  const double ratio = this->RasterImage->devicePixelRatioF();
+  const QPointF place = PointerPlace(mouse);
+  return {ratio * place.x(), ratio * (this->RasterImage->height() - 1 - place.y())};
+}
+
 bool ViewPane::TakeMouse(QEvent* event)
 {
   auto* mouse = static_cast<QMouseEvent*>(event);
-  const double ratio = this->RasterImage->devicePixelRatioF();
-  const QPointF place = PointerPlace(*mouse);
-  const double x = ratio * place.x();
-  const double y = ratio * (this->RasterImage->height() - 1 - place.y());
+  const QPointF place = this->PlaceOf(*mouse);
+  const double x = place.x();
+  const double y = place.y();
   if (event->type() == QEvent::MouseMove)
   {
     Q_EMIT PointerMoved(x, y);

@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 
 #include <QAction>
+#include <QMouseEvent>
 #include <QVTKOpenGLNativeWidget.h>
 #include <QWidget>
 
@@ -100,6 +101,8 @@ protected:
   virtual void Stir() {}
   /// Draws soon, without Stir.
   void RequestFrame();
+  /// The pointer over the canvas, in its pixels from the lower left.
+  QPointF PlaceOf(const QMouseEvent& mouse) const;
 
 private:
   bool TakeMouse(QEvent* event);
