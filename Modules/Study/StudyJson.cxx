@@ -87,6 +87,8 @@ void ExchangeDrawing(JsonFields& fields, StudyDrawing& drawing)
   fields.Exchange("sigma_mm", drawing.Sigma, LeastTouchDeviation, LargestTouchDeviation);
   fields.Exchange("center_mm", drawing.CenterWorld, -LargestPlace, LargestPlace);
   fields.ExchangeList("touches", drawing.Touches, ExchangeTouch);
+  fields.Require(RowCount(drawing.Touches) <= MostDrawnRows, "has more touches than it may",
+                 "remove some from \"touches\"");
   fields.Exchange("touchable", drawing.IsTouchable);
 }
 

@@ -1,7 +1,5 @@
 #include "StudyDrawing.h"
 
-#include "ShapeCompletion.h"
-
 #include <algorithm>
 #include <map>
 #include <string>
@@ -49,6 +47,16 @@ void SetSigma(StudyDrawing& drawing, double sigma)
   drawing.Sigma = sigma;
 }
 
+std::size_t RowCount(const std::vector<SurfaceTouch>& touches)
+{
+  std::size_t count = 0;
+  for (const SurfaceTouch& touch : touches)
+  {
+    count += touch.Normal ? 3 : 1;
+  }
+  return count;
+}
+
 Status AddTouches(StudyDrawing& drawing, std::vector<SurfaceTouch> touches)
 {
   const bool areValid = std::all_of(touches.begin(), touches.end(),
@@ -58,12 +66,13 @@ Status AddTouches(StudyDrawing& drawing, std::vector<SurfaceTouch> touches)
                                     });
   if (!areValid)
   {
-    return Status::Failure("a touch has a standard deviation outside of 0.01 to 100 mm");
+    return Status::Failure("A touch has a standard deviation outside of 0.01 to 100 mm.");
   }
-  if (drawing.Touches.size() + touches.size() > ShapeCompletion::MostTouches)
+  if (RowCount(drawing.Touches) + RowCount(touches) > MostDrawnRows)
   {
-    return Status::Failure("an organ has at most " + std::to_string(ShapeCompletion::MostTouches) +
-                           " touches");
+    return Status::Failure("A drawn organ has at most " + std::to_string(MostDrawnRows) +
+                           " touches, those with a normal counted thrice: keep it, or complete it "
+                           "by palpate complete.");
   }
   int next = LastStroke(drawing) + 1;
   std::map<int, int> strokes; // in the drawing, by those that were given

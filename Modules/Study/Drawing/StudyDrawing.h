@@ -37,9 +37,14 @@ PALPATESTUDY_EXPORT std::size_t SurfaceCount(const StudyDrawing& drawing);
 /// The standard deviation of the next touches; those that have the former one take it, too.
 PALPATESTUDY_EXPORT void SetSigma(StudyDrawing& drawing, double sigma);
 
+/// A touch counts once, one with a normal thrice: what the time of a completion depends on. A
+/// drawing has at most MostDrawnRows, which take half a second at worst.
+PALPATESTUDY_EXPORT std::size_t RowCount(const std::vector<SurfaceTouch>& touches);
+constexpr std::size_t MostDrawnRows = 300;
+
 /// Adds touches after those that are there. Their strokes get numbers that are free, and their
-/// normals a length of 1. Fails, and adds none, for more than ShapeCompletion takes, and standard
-/// deviations that it does not take.
+/// normals a length of 1. Fails, and adds none, for more than MostDrawnRows, and for standard
+/// deviations out of bounds.
 PALPATESTUDY_EXPORT Status AddTouches(StudyDrawing& drawing, std::vector<SurfaceTouch> touches);
 
 /// Touches of one stroke, about `spacing` (mm) apart on the line through these points; fewer than

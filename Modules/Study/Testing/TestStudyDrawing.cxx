@@ -1,8 +1,11 @@
 #include "DrawnOrgan.h"
+#include "InputError.h"
 #include "ManualClock.h"
 #include "ShapePriorFile.h"
 #include "Study.h"
+#include "StudyJson.h"
 #include "StudyPhantoms.h"
+#include "StudyRecovery.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -78,9 +81,15 @@ TEST(StudyDrawing, RefusesTouchesThatASessionCouldNotKeep)
   const StudyDrawing before = drawing;
   EXPECT_FALSE(AddTouches(drawing, {{{1, 2, 3}, 0.0}}).IsOk());
   EXPECT_FALSE(AddTouches(drawing, {{{1, 2, 3}, std::nan("")}}).IsOk());
-  EXPECT_FALSE(AddTouches(drawing, Ellipsoid(998)).IsOk());
+  EXPECT_FALSE(AddTouches(drawing, Ellipsoid(298)).IsOk());
+  std::vector<SurfaceTouch> withNormals = Ellipsoid(100);
+  for (SurfaceTouch& touch : withNormals)
+  {
+    touch.Normal = Vector3::UnitX();
+  }
+  EXPECT_FALSE(AddTouches(drawing, withNormals).IsOk()) << "three rows each";
   EXPECT_EQ(drawing, before);
-  EXPECT_TRUE(AddTouches(drawing, Ellipsoid(997)).IsOk());
+  EXPECT_TRUE(AddTouches(drawing, Ellipsoid(297)).IsOk());
 }
 
 TEST(StudyDrawing, StrokeIsRemovedAsAWhole)
@@ -287,6 +296,29 @@ TEST_F(StudyDrawnTest, SessionKeepsDrawingAndPrior)
   ASSERT_NE(again.Drawn().Prior(), nullptr);
   EXPECT_EQ(again.Drawn().Prior()->Cases(), 7U);
   EXPECT_EQ(ShapeOf(again.Drawn().Organ()), ShapeOf(this->Organ()));
+}
+
+TEST_F(StudyDrawnTest, SessionOfTooManyTouchesIsRefused)
+{
+  StudyState state;
+  state.Drawing = DrawingOf(301);
+  const std::string text = StudyText(state, "/folder", "case.palpate.json", {});
+  EXPECT_THROW(StudyFromText(text, "/folder", "case.palpate.json", nullptr), InputError);
+}
+
+TEST_F(StudyDrawnTest, RecoveryKeepsTouches)
+{
+  StudyRecovery recovery(this->Open, this->Phantom.Folder / "kept");
+  this->Draw(DrawingOf(5));
+  ASSERT_TRUE(recovery.IsDue());
+  recovery.Keep();
+  recovery.Finish();
+  this->Draw(DrawingOf(6));
+  EXPECT_TRUE(recovery.IsDue()) << "each touch is kept";
+  Study again(this->Time);
+  again.Recover(recovery.Folder());
+  EXPECT_EQ(again.State().Drawing, DrawingOf(5));
+  EXPECT_NE(again.Drawn().Organ().Surface(), nullptr);
 }
 
 TEST_F(StudyDrawnTest, UnreadablePriorLeavesSmoothness)

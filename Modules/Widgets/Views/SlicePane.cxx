@@ -80,7 +80,7 @@ void SlicePane::SetStrokes(bool areOn)
 {
   this->AreStrokesOn = areOn;
   this->IsStroke = false;
-  this->setCursor(areOn ? Qt::CrossCursor : Qt::ArrowCursor);
+  this->ShowHand(false);
 }
 
 bool SlicePane::eventFilter(QObject* object, QEvent* event)

@@ -37,7 +37,12 @@ public:
   void SetHand(bool isOn) { this->Style->SetHand(isOn); }
   void AcceptPress() { this->Style->AcceptPress(); }
   /// A hand as the cursor where a press would lead the tool.
-  void ShowHand(bool isHand) { this->setCursor(isHand ? Qt::PointingHandCursor : Qt::ArrowCursor); }
+  void ShowHand(bool isHand)
+  {
+    this->setCursor(isHand               ? Qt::PointingHandCursor
+                    : this->AreStrokesOn ? Qt::CrossCursor
+                                         : Qt::ArrowCursor);
+  }
   ///@{
   /// A pixel to the right and up, as vectors (world, mm).
   Vector3 PixelRight() const { return this->PointAt(1.0, 0.0) - this->PointAt(0.0, 0.0); }

@@ -191,6 +191,8 @@ TEST_F(DrawingPanelTest, WheelLeavesTheSliceAndTheNextTouchIsInTheOther)
   this->Open();
   QWidget* canvas = this->Slice(SliceOrientation::Axial)->Canvas();
   const QPointF place = PlaceIn(*this->Slice(SliceOrientation::Axial), this->Center);
+  Move(canvas, place);
+  EXPECT_EQ(this->Slice(SliceOrientation::Axial)->cursor().shape(), Qt::CrossCursor);
   test::WidgetTest::Wheel(canvas, place, 3);
   DrawAll(*this->Window->Views());
   Click(canvas, place);
