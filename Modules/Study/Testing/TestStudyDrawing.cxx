@@ -183,6 +183,26 @@ TEST(DrawnOrgan, GoesOnFromTheLastTouchWithAPrior)
   EXPECT_LT((ShapeOf(organ) - ShapeOf(atOnce)).cwiseAbs().maxCoeff(), 2e-3);
 }
 
+TEST(DrawnOrgan, DeviationsAreThoseOfTheNewPrior)
+{
+  const auto deviation = [](const DrawnOrgan& organ)
+  {
+    return organ.Surface()
+        ->GetPointData()
+        ->GetArray(DrawnOrgan::DeviationArray)
+        ->GetComponent(300, 0);
+  };
+  const auto prior = std::make_shared<const ShapePrior>(SomePrior());
+  DrawnOrgan changed;
+  changed.Update(DrawingOf(5), nullptr);
+  const double smooth = deviation(changed);
+  changed.Update(DrawingOf(5), prior);
+  DrawnOrgan fresh;
+  fresh.Update(DrawingOf(5), prior);
+  EXPECT_EQ(deviation(changed), deviation(fresh));
+  EXPECT_LT(deviation(changed), smooth) << "its variance is half of that";
+}
+
 TEST(DrawnOrgan, RemovedTouchLeavesNoTrace)
 {
   const auto prior = std::make_shared<const ShapePrior>(SomePrior());
