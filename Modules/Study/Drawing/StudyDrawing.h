@@ -38,7 +38,7 @@ PALPATESTUDY_EXPORT std::size_t SurfaceCount(const StudyDrawing& drawing);
 PALPATESTUDY_EXPORT void SetSigma(StudyDrawing& drawing, double sigma);
 
 /// A touch counts once, one with a normal thrice: what the time of a completion depends on. A
-/// drawing has at most MostDrawnRows, which take half a second at worst.
+/// drawing has at most MostDrawnRows, which take 15 ms, or a second if they are refused.
 PALPATESTUDY_EXPORT std::size_t RowCount(const std::vector<SurfaceTouch>& touches);
 constexpr std::size_t MostDrawnRows = 300;
 
