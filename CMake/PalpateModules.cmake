@@ -8,7 +8,7 @@ endif()
 
 # The VTK modules: scanned from their vtk.module files, built and installed by VTK's module system.
 
-set(palpate_vtk_modules IO Filters VolumeRendering Display Interaction Report Fit Group Comparison Scene Trade
+set(palpate_vtk_modules IO Filters VolumeRendering Display Interaction Report Fit Group Comparison Scene Task Trade
   Study)
 if(PALPATE_BUILD_PARAVIEW)
   set(PALPATE_KERNEL_MODULES Core Mesh Harmonics Field Elasticity Contact Model Files)

@@ -24,6 +24,7 @@
 #include "SceneCommand.h"
 #include "SoftenCommand.h"
 #include "StudyCommand.h"
+#include "TaskCommand.h"
 #include "TouchCommand.h"
 #include "TradeoffCommand.h"
 
@@ -52,6 +53,7 @@ std::vector<std::unique_ptr<Command>> MakeCommands()
   commands.push_back(std::make_unique<SceneCommand>());
   commands.push_back(std::make_unique<TradeoffCommand>());
   commands.push_back(std::make_unique<StudyCommand>());
+  commands.push_back(std::make_unique<TaskCommand>());
   commands.push_back(std::make_unique<DevicesCommand>());
 #ifdef PALPATE_HAS_NETWORK
   commands.push_back(std::make_unique<LinkCommand>());

@@ -63,6 +63,28 @@ void Check(const SceneStructure& structure, const std::filesystem::path& path, s
   }
 }
 
+nlohmann::json Patched(const nlohmann::json& root, const std::filesystem::path& path,
+                       const std::filesystem::path& patch)
+{
+  constexpr std::uintmax_t LargestPatch = 1 << 20; // bytes
+  constexpr std::size_t MostSteps = 100;           // each may copy a part of the scene
+  const char* const remedy =
+      "write a JSON Patch (RFC 6902) of at most 100 steps that fits the scene";
+  const nlohmann::json steps = ReadJson(patch, LargestPatch, remedy);
+  try
+  {
+    if (!steps.is_array() || steps.size() <= MostSteps)
+    {
+      return root.patch(steps);
+    }
+  }
+  catch (const nlohmann::json::exception&)
+  {
+    // Its text says nothing to a user.
+  }
+  Refuse(patch, "cannot be applied to " + path.filename().string(), remedy);
+}
+
 void ExchangeFile(JsonFields& fields, SceneSettings& scene)
 {
   fields.ExchangeFormat("palpate-scene", "a scene");
@@ -80,10 +102,14 @@ bool IsSceneFile(const std::filesystem::path& path)
           name.compare(name.size() - ending.size(), ending.size(), ending) == 0);
 }
 
-SceneSettings ReadScene(const std::filesystem::path& path)
+SceneSettings ReadScene(const std::filesystem::path& path, const std::filesystem::path& patch)
 {
-  const nlohmann::json root =
+  nlohmann::json root =
       ReadJson(path, LargestScene, "write a scene as Documentation/HowTo/Touch.md shows");
+  if (!patch.empty())
+  {
+    root = Patched(root, path, patch);
+  }
   JsonFields fields(root, path, "scene", path.parent_path());
   SceneSettings scene;
   ExchangeFile(fields, scene);

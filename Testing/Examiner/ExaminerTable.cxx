@@ -2,7 +2,7 @@
 
 #include "ForcePerception.h"
 #include "PalpatingHand.h"
-#include "VirtualExaminer.h"
+#include "PalpationSearch.h"
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -58,7 +58,7 @@ ExaminerRow SearchPhantom(const ElasticPhantom& phantom, const ElasticPhantom& p
   row.Increase = force / without - 1.0;
   row.Contrast = ForcePerception::Contrast(force, without);
   row.Searches = searches;
-  const VirtualExaminer examiner;
+  const PalpationSearch examiner;
   for (int i = 0; i < searches; ++i)
   {
     // Of the hand and of the raster, different in every search.
@@ -91,7 +91,7 @@ std::vector<ExaminerRow> MeasureExaminer(int searches, const std::function<void(
 
 std::string ToJson(const std::vector<ExaminerRow>& rows)
 {
-  const VirtualExaminer::Technique way;
+  const PalpationSearch::Technique way;
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const ExaminerRow& row : rows)
   {

@@ -1,7 +1,7 @@
 #include "ExaminerTable.h"
 #include "ForcePerception.h"
 #include "PalpatingHand.h"
-#include "VirtualExaminer.h"
+#include "PalpationSearch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +25,7 @@ ElasticPhantom Phantom(const std::optional<HiddenNodule>& nodule)
 }
 
 // Without noise: `most` newtons at a place, falling off over a few millimetres, 1 N elsewhere.
-VirtualExaminer::Press BumpAt(const FreePlace& place, double most)
+PalpationSearch::Press BumpAt(const FreePlace& place, double most)
 {
   return [place, most](const FreePlace& pressed)
   { return 1.0 + (most - 1.0) * std::exp(-(pressed - place).squaredNorm() / 32.0); };
@@ -33,12 +33,12 @@ VirtualExaminer::Press BumpAt(const FreePlace& place, double most)
 
 TEST(VirtualExaminer, RasterLeavesNoGaps)
 {
-  const VirtualExaminer::Technique way;
+  const PalpationSearch::Technique way;
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> coordinate(-way.Reach, way.Reach);
   for (std::uint64_t seed = 0; seed < 20; ++seed)
   {
-    const std::vector<FreePlace> raster = VirtualExaminer(way).Raster(seed);
+    const std::vector<FreePlace> raster = PalpationSearch(way).Raster(seed);
     for (int i = 0; i < 200; ++i)
     {
       const FreePlace point(coordinate(random), coordinate(random));
@@ -59,7 +59,7 @@ TEST(VirtualExaminer, RasterLeavesNoGaps)
 
 TEST(VirtualExaminer, ReportsFromOneJustNoticeableDifference)
 {
-  const VirtualExaminer examiner;
+  const PalpationSearch examiner;
   for (std::uint64_t seed = 0; seed < 10; ++seed)
   {
     const FreePlace place = examiner.Raster(seed)[seed];
@@ -74,17 +74,17 @@ TEST(VirtualExaminer, ReportsFromOneJustNoticeableDifference)
 
 TEST(VirtualExaminer, IgnoresSofterPlacesAndEvenOrgans)
 {
-  const VirtualExaminer examiner;
+  const PalpationSearch examiner;
   EXPECT_FALSE(examiner.Search(BumpAt({3.0, 2.0}, 0.5), 1));
   EXPECT_FALSE(examiner.Search(BumpAt({3.0, 2.0}, 1.0), 1));
 }
 
 TEST(VirtualExaminer, PressesEachPlaceAndComesBackToSuspects)
 {
-  const VirtualExaminer::Technique way;
-  const VirtualExaminer examiner(way);
+  const PalpationSearch::Technique way;
+  const PalpationSearch examiner(way);
   std::vector<FreePlace> pressed;
-  const VirtualExaminer::Press bump = BumpAt({3.0, 2.0}, 1.5);
+  const PalpationSearch::Press bump = BumpAt({3.0, 2.0}, 1.5);
   const auto finding = examiner.Search(
       [&](const FreePlace& place)
       {
@@ -132,7 +132,7 @@ TEST(ElasticPhantom, FeelsEvenWithoutNoduleAndHarderAboveOne)
   const ElasticPhantom plain = Phantom(std::nullopt);
   const ElasticPhantom hard = Phantom(HiddenNodule{12.0, 2.0, 5.0});
   const double usual = plain.Force(FreePlace::Zero(), PalpatingHand::Depth);
-  for (const FreePlace& place : VirtualExaminer().Raster(1))
+  for (const FreePlace& place : PalpationSearch().Raster(1))
   {
     // Less than half of what is reported.
     EXPECT_LE(std::abs(ForcePerception::Contrast(plain.Force(place, PalpatingHand::Depth), usual)),

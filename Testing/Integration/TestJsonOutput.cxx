@@ -266,6 +266,15 @@ TEST_F(JsonOutput, SceneIsDocumented)
   this->ExpectDocumented("scene");
 }
 
+TEST_F(JsonOutput, TaskIsDocumented)
+{
+  this->Run({"task", "init", "path", "--output", "study", "--json"});
+  this->Run({"task", "plan", "study/task.json", "--participants", "1", "--json"});
+  this->Run({"task", "simulate", "study/task.json", "--participants", "2", "--output", "simulated",
+             "--json"});
+  this->ExpectDocumented("task");
+}
+
 TEST_F(JsonOutput, TouchIsDocumented)
 {
   const DrillBlock block;

@@ -36,7 +36,7 @@ install(FILES "${made}/palpate.fish" DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/v
 # Slicer starts one program a module: a launcher for every command that writes files (a test compares).
 # The folder is lib/palpate/slicer-cli of the build tree and of what is installed.
 set(launchers "${CMAKE_BINARY_DIR}/lib/palpate/slicer-cli")
-foreach(command check cohort compare complete convert correct fit measure mesh phantom register relate render soften study touch tradeoff)
+foreach(command check cohort compare complete convert correct fit measure mesh phantom register relate render soften study task touch tradeoff)
   string(SUBSTRING ${command} 0 1 initial)
   string(SUBSTRING ${command} 1 -1 rest)
   string(TOUPPER ${initial} initial)

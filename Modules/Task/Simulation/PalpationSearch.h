@@ -1,18 +1,19 @@
 #pragma once
 
 #include "FreePlace.h"
+#include "PalpateTaskModule.h"
 
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
-namespace palpate::test
+namespace palpate
 {
 /// Searches the free side of an organ for a nodule with one finger: sweeps a raster of places,
 /// comes back to the hardest ones, and reports the hardest of them if it is noticeably harder than
 /// most of the organ. It is blind: it knows only where it pressed and what it felt.
-class VirtualExaminer
+class PALPATETASK_EXPORT PalpationSearch
 {
 public:
   struct Technique
@@ -28,12 +29,13 @@ public:
   {
     FreePlace Place;
     double Contrast; ///< just noticeable differences above the median of all places
+    double Usual;    ///< that median, N
   };
   /// Presses at a place and returns the force that was felt, N.
   using Press = std::function<double(const FreePlace& place)>;
 
-  explicit VirtualExaminer(const Technique& technique) : Way(technique) {}
-  VirtualExaminer() : VirtualExaminer(Technique{}) {}
+  explicit PalpationSearch(const Technique& technique) : Way(technique) {}
+  PalpationSearch() : PalpationSearch(Technique{}) {}
 
   /// The seed shifts and turns the raster, so that a nodule lies anywhere between its places.
   std::optional<Finding> Search(const Press& press, std::uint64_t seed) const;
@@ -44,4 +46,4 @@ public:
 private:
   Technique Way;
 };
-} // namespace palpate::test
+} // namespace palpate

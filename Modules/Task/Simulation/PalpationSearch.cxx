@@ -1,4 +1,4 @@
-#include "VirtualExaminer.h"
+#include "PalpationSearch.h"
 
 #include "ForcePerception.h"
 
@@ -9,11 +9,11 @@
 #include <numeric>
 #include <random>
 
-namespace palpate::test
+namespace palpate
 {
 namespace
 {
-double MeanOf(const VirtualExaminer::Press& press, const FreePlace& place, int times)
+double MeanOf(const PalpationSearch::Press& press, const FreePlace& place, int times)
 {
   double sum = 0.0;
   for (int i = 0; i < times; ++i)
@@ -43,7 +43,7 @@ std::vector<std::size_t> Largest(const std::vector<double>& values, int count)
 }
 } // namespace
 
-std::vector<FreePlace> VirtualExaminer::Raster(std::uint64_t seed) const
+std::vector<FreePlace> PalpationSearch::Raster(std::uint64_t seed) const
 {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> fraction(0.0, 1.0);
@@ -66,7 +66,7 @@ std::vector<FreePlace> VirtualExaminer::Raster(std::uint64_t seed) const
   return places;
 }
 
-std::optional<VirtualExaminer::Finding> VirtualExaminer::Search(const Press& press,
+std::optional<PalpationSearch::Finding> PalpationSearch::Search(const Press& press,
                                                                 std::uint64_t seed) const
 {
   const std::vector<FreePlace> places = this->Raster(seed);
@@ -85,9 +85,9 @@ std::optional<VirtualExaminer::Finding> VirtualExaminer::Search(const Press& pre
     const double contrast = ForcePerception::Contrast(again, usual);
     if (contrast > this->Way.Threshold && (!finding || contrast > finding->Contrast))
     {
-      finding = Finding{places[suspect], contrast};
+      finding = Finding{places[suspect], contrast, usual};
     }
   }
   return finding;
 }
-} // namespace palpate::test
+} // namespace palpate

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "Progress.h"
+#include "TaskSettings.h"
+
+#include <cstdint>
+#include <filesystem>
+
+namespace palpate::cli
+{
+/// Writes a task that can be run at once, with its scenes of prostate-like phantoms, into an
+/// existing folder: task.json, and a folder for each target. `seed`: of the phantoms and of the
+/// order of targets. Throws InputError and Cancelled.
+void WriteReadyTask(TaskKind kind, std::uint64_t seed, const std::filesystem::path& folder,
+                    const ProgressFunction& progress);
+} // namespace palpate::cli
