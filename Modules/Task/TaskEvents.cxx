@@ -1,6 +1,7 @@
 #include "TaskEvents.h"
 
 #include "JsonFields.h"
+#include "JsonNumbers.h"
 #include "JsonText.h"
 #include "TaskFile.h"
 
@@ -125,19 +126,14 @@ void ExchangeEvent(JsonFields& fields, TaskEvent& event, TaskKind kind)
   fields.RefuseOthers();
 }
 
-// NaN is null.
-nlohmann::ordered_json TripleJson(const Vector3& vector)
-{
-  return {vector.x(), vector.y(), vector.z()};
-}
-
+// JSON has no NaN: a landmark that was left out is a list of nulls.
 nlohmann::ordered_json AnswerJson(const TaskAnswer& answer, TaskKind kind)
 {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   if (kind == TaskKind::Dock)
   {
-    json["shift_mm"] = TripleJson(answer.Shift);
-    json["turn_degrees"] = TripleJson(answer.Turn);
+    json["shift_mm"] = PointJson(answer.Shift);
+    json["turn_degrees"] = PointJson(answer.Turn);
     return json;
   }
   if (kind == TaskKind::Nodule)
@@ -147,7 +143,7 @@ nlohmann::ordered_json AnswerJson(const TaskAnswer& answer, TaskKind kind)
   json["points_mm"] = nlohmann::ordered_json::array();
   for (const Vector3& point : answer.PointsWorld)
   {
-    json["points_mm"].push_back(TripleJson(point));
+    json["points_mm"].push_back(PointJson(point));
   }
   return json;
 }

@@ -1,6 +1,7 @@
 #include "PalpationSearch.h"
 
 #include "ForcePerception.h"
+#include "Median.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -21,13 +22,6 @@ double MeanOf(const PalpationSearch::Press& press, const FreePlace& place, int t
     sum += press(place);
   }
   return sum / times;
-}
-
-double MedianOf(std::vector<double> values)
-{
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // Of the largest values, the largest first.
@@ -76,7 +70,8 @@ std::optional<PalpationSearch::Finding> PalpationSearch::Search(const Press& pre
   {
     felt.push_back(MeanOf(press, place, this->Way.Sweeps));
   }
-  const double usual = MedianOf(felt);
+  std::vector<double> sorted = felt;
+  const double usual = UpperMedian(sorted);
   std::optional<Finding> finding;
   for (const std::size_t suspect : Largest(felt, this->Way.Suspects))
   {
