@@ -156,6 +156,7 @@ TEST_F(TaskRunTest, RefusesDamagedLogs)
   for (const std::string& text :
        {whole.substr(second), whole + "{}\n", whole + "no json\n",
         whole.substr(0, second) + whole.substr(third), // an end without its start
+        whole.substr(0, third) + whole.substr(second), // the same attempt twice
         whole.substr(0, third) + "{\"event\":\"resume\"}\n"})
   {
     WriteAll(this->LogFile(), text);

@@ -125,8 +125,10 @@ TEST_F(TaskSimulationTest, PatchesChangeTheSceneOfACondition)
   TaskSettings task = this->BallTask(TaskKind::Landmarks);
   WriteAll(this->Folder / "soft.json",
            R"([{"op": "replace", "path": "/structures/0/stiffness_n_per_mm", "value": 0.2}])");
-  task.Conditions[1].Patch = this->Folder / "soft.json";
-  EXPECT_EQ(ReadScene(this->Scene, task.Conditions[1].Patch).Structures[0].Stiffness, 0.2);
+  const std::string hard = this->Simulate(task, 1, "hard");
+  task.Conditions[0].Patch = this->Folder / "soft.json";
+  EXPECT_EQ(ReadScene(this->Scene, task.Conditions[0].Patch).Structures[0].Stiffness, 0.2);
+  EXPECT_NE(this->Simulate(task, 1, "soft"), hard);
   WriteAll(this->Folder / "bad.json", R"([{"op": "replace", "path": "/nothing", "value": 1}])");
   for (const char* patch : {"bad.json", "absent.json", "ball.json"})
   {
