@@ -31,7 +31,7 @@ enum class TaskState
 class PALPATETASK_EXPORT TaskRun
 {
 public:
-  /// Begins or resumes. The log is <folder>/participant-0001.jsonl (JSON Lines). Throws InputError
+  /// Begins or resumes. The log is participant-0001.jsonl in the folder (JSON Lines). Throws InputError
   /// if the folder cannot be written, a log is damaged or belongs to another task, and for answers
   /// that the task's questions do not allow. A resumed run keeps the answers of its beginning.
   TaskRun(const TaskSettings& task, const TaskParticipant& participant,
