@@ -31,9 +31,10 @@ enum class TaskState
 class PALPATETASK_EXPORT TaskRun
 {
 public:
-  /// Begins or resumes. The log is participant-0001.jsonl in the folder (JSON Lines). Throws InputError
-  /// if the folder cannot be written, a log is damaged or belongs to another task, and for answers
-  /// that the task's questions do not allow. A resumed run keeps the answers of its beginning.
+  /// Begins or resumes. The log is participant-0001.jsonl in the folder (JSON Lines). Throws
+  /// InputError if the folder cannot be written, a log is damaged or belongs to another task, and
+  /// for answers that the task's questions do not allow. A resumed run keeps the answers of its
+  /// beginning.
   TaskRun(const TaskSettings& task, const TaskParticipant& participant,
           const std::filesystem::path& folder);
 
