@@ -1,8 +1,8 @@
 #ifndef PALPATE_SHAPE_H
 #define PALPATE_SHAPE_H
 
-/* Shapes by touch: organs completed from a few points, and corrected by pulls at their surface. A
- * part of palpate.h, whose rules hold here and which includes it. */
+/* Shapes by touch: organs completed from a few points, corrected by pulls at their surface, and
+ * measured along it. A part of palpate.h, whose rules hold here and which includes it. */
 
 #include "palpate.h"
 
@@ -72,6 +72,33 @@ extern "C"
                               palpate_error* error);
   /* The corrected model, of degree 20 or that of the start if it is higher. */
   palpate_model* palpate_correction_model(palpate_correction* correction, palpate_error* error);
+
+  /* Lengths along a surface, mm. Several threads may ask one object. */
+  typedef struct palpate_geodesics palpate_geodesics;
+
+  typedef struct palpate_geodesic
+  {
+    double from[3]; /* mm: the surface's points that are nearest to those asked for */
+    double to[3];
+    double along;       /* mm: the shortest path */
+    double straight;    /* mm: through space */
+    double uncertainty; /* mm, of `along`; NaN of triangles */
+  } palpate_geodesic;
+
+  /* On a model itself; along the triangles of a body's surface. */
+  palpate_geodesics* palpate_geodesics_of_model(const palpate_model* model, palpate_error* error);
+  palpate_geodesics* palpate_geodesics_of_body(const palpate_compared* body, palpate_error* error);
+  void palpate_geodesics_free(palpate_geodesics* surface);
+  /* `path_count` gets the number of the path's points, of which `path` (x, y, z of each; NULL for
+   * none) gets the first `capacity`. Fails if no path connects the two places. */
+  int palpate_geodesics_find(const palpate_geodesics* surface, const double from[3],
+                             const double to[3], palpate_geodesic* found, double* path,
+                             size_t capacity, size_t* path_count, palpate_error* error);
+  /* The surface: a body's, or a model drawn finely; and the length from one of its points to each
+   * (infinite: not connected). With NULL arrays only the counts. */
+  int palpate_geodesics_map(const palpate_geodesics* surface, const double from[3],
+                            size_t* point_count, size_t* triangle_count, double* points,
+                            int32_t* triangles, double* distances, palpate_error* error);
 
 #ifdef __cplusplus
 }

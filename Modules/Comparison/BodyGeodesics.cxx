@@ -1,6 +1,5 @@
 #include "BodyGeodesics.h"
 
-#include "GeodesicDistances.h"
 #include "InputError.h"
 #include "KernelWatch.h"
 #include "MeshConversion.h"
@@ -13,14 +12,11 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace palpate
 {
 namespace
 {
-constexpr std::size_t MostForShortest = 150000; // triangles: some 20 s
-
 void RequirePath(const Status& status, const KernelWatch& watch)
 {
   watch.Require();
@@ -33,19 +29,11 @@ void RequirePath(const Status& status, const KernelWatch& watch)
 
 BodyGeodesics::BodyGeodesics(const ComparedFile& file, const Segment& structure)
 {
-  Status status = Status::Success();
-  if (const OrganModel* model = file.Model())
-  {
-    std::unique_ptr<const ModelPaths> made;
-    status = ModelPaths::Make(*model, made);
-    this->OnModel = std::move(made);
-  }
-  else
-  {
-    std::unique_ptr<const SurfacePaths> made;
-    status = SurfacePaths::Make(file.Body(structure, MaskBody::Shape).Surface(), made);
-    this->OnTriangles = std::move(made);
-  }
+  const OrganModel* model = file.Model();
+  const Status status =
+      model != nullptr
+          ? SurfaceGeodesics::OfModel(*model, this->Paths)
+          : SurfaceGeodesics::OfMesh(file.Body(structure, MaskBody::Shape).Surface(), this->Paths);
   if (!status.IsOk())
   {
     Refuse(file.Path(), status.Message(), "measure another one");
@@ -56,31 +44,8 @@ BodyGeodesics::Length BodyGeodesics::Find(const Vector3& from, const Vector3& to
                                           const ProgressFunction& progress) const
 {
   KernelWatch watch(progress, "measuring");
-  Length length{};
-  if (this->IsOnModel())
-  {
-    GeodesicCurve curve;
-    RequirePath(this->OnModel->Find(from, to, watch.Of(0.0, 1.0), curve), watch);
-    length.Along = curve.Length;
-    length.Uncertainty = curve.Uncertainty;
-    length.Points = std::move(curve.Points);
-  }
-  else
-  {
-    SurfacePaths::Path path;
-    RequirePath(this->OnTriangles->Find(from, to, path), watch);
-    SurfacePaths::Path other = path;
-    if (this->OnTriangles->Mesh().Triangles.size() <= MostForShortest)
-    {
-      RequirePath(this->OnTriangles->FindShortest(from, to, watch.Of(0.0, 1.0), other), watch);
-    }
-    SurfacePaths::Path& shorter = other.Length < path.Length ? other : path;
-    length.Along = shorter.Length;
-    length.Points = std::move(shorter.Points);
-  }
-  length.From = length.Points.front();
-  length.To = length.Points.back();
-  length.Direct = (length.To - length.From).norm();
+  Length length;
+  RequirePath(this->Paths.Find(from, to, watch.Of(0.0, 1.0), length), watch);
   return length;
 }
 
@@ -89,14 +54,8 @@ vtkSmartPointer<vtkPolyData> BodyGeodesics::Map(const Vector3& from,
 {
   KernelWatch watch(progress, "measuring");
   std::vector<double> distances;
-  const IndexedMesh& mesh =
-      this->IsOnModel() ? this->OnModel->Drawing() : this->OnTriangles->Mesh();
-  RequirePath(this->IsOnModel()
-                  ? this->OnModel->Distances(from, watch.Of(0.0, 1.0), distances)
-                  : FindGeodesicDistances(mesh, this->OnTriangles->Nearest().Find(from),
-                                          watch.Of(0.0, 1.0), distances),
-              watch);
-  vtkSmartPointer<vtkPolyData> map = ToPolyData(mesh);
+  RequirePath(this->Paths.Distances(from, watch.Of(0.0, 1.0), distances), watch);
+  vtkSmartPointer<vtkPolyData> map = ToPolyData(this->Paths.Mesh());
   vtkNew<vtkDoubleArray> array;
   array->SetName(MapName);
   array->SetNumberOfValues(static_cast<vtkIdType>(distances.size()));

@@ -40,6 +40,7 @@ struct FreeOwned
   void operator()(palpate_checked* handle) const { palpate_checked_free(handle); }
   void operator()(palpate_design* handle) const { palpate_design_free(handle); }
   void operator()(palpate_session* handle) const { palpate_session_free(handle); }
+  void operator()(palpate_geodesics* handle) const { palpate_geodesics_free(handle); }
   void operator()(palpate_correction* handle) const { palpate_correction_free(handle); }
 };
 template <typename Handle>

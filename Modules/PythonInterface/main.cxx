@@ -3,6 +3,7 @@
 #include "ComparisonBinding.h"
 #include "CorrectionBinding.h"
 #include "FieldBinding.h"
+#include "GeodesicsBinding.h"
 #include "ModelBinding.h"
 #include "RegistrationBinding.h"
 #include "SceneBinding.h"
@@ -21,6 +22,7 @@ PYBIND11_MODULE(_kernels, module)
   module.attr("__version__") = palpate_version();
   palpate::BindModels(module);
   palpate::BindCorrections(module);
+  palpate::BindGeodesics(module);
   palpate::BindComparisons(module);
   palpate::BindRelations(module);
   palpate::BindRegistrations(module);

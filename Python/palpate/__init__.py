@@ -22,6 +22,7 @@ from ._kernels import CheckGroup as CheckGroup
 from ._kernels import Correction as Correction
 from ._kernels import Error as Error
 from ._kernels import Field as Field
+from ._kernels import Geodesics as Geodesics
 from ._kernels import LinearModel as LinearModel
 from ._kernels import MaskCase as MaskCase
 from ._kernels import Model as Model
@@ -55,6 +56,7 @@ from ._results import Completion as Completion
 from ._results import Curvature as Curvature
 from ._results import Displacement as Displacement
 from ._results import Distances as Distances
+from ._results import Geodesic as Geodesic
 from ._results import LandmarkRegistration as LandmarkRegistration
 from ._results import Measures as Measures
 from ._results import Mesh as Mesh

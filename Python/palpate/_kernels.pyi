@@ -9,10 +9,12 @@ from ._results import (
     Asymmetry,
     Calibre,
     Coefficients,
+    ComparedSurface,
     Comparison,
     Completion,
     Curvature,
     Displacement,
+    Geodesic,
     LandmarkRegistration,
     Measures,
     Mesh,
@@ -101,6 +103,19 @@ class Correction:
     def fill(self) -> None: ...
     def smooth(self, deviation: float) -> None: ...
     def cut(self, point: ArrayLike, normal: ArrayLike) -> None: ...
+
+class Geodesics:
+    def __init__(
+        self,
+        body: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+        *,
+        spacing: Optional[ArrayLike] = None,
+        origin: Optional[ArrayLike] = None,
+        direction: Optional[ArrayLike] = None,
+        affine: Optional[ArrayLike] = None,
+    ) -> None: ...
+    def path(self, start: ArrayLike, end: ArrayLike) -> Geodesic: ...
+    def map(self, start: ArrayLike) -> ComparedSurface: ...
 
 def fit_points(points: ArrayLike, degree: int = 12, center: Optional[ArrayLike] = None) -> Model: ...
 def complete(

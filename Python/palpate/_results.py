@@ -304,6 +304,19 @@ class Completion(NamedTuple):
     """(6, 3), mm: where to touch next, the best place first."""
 
 
+class Geodesic(NamedTuple):
+    """The shortest path along a surface between two of its points."""
+
+    along: float
+    """mm."""
+    straight: float
+    """mm, through space."""
+    uncertainty: float
+    """mm, of `along`; NaN of triangles."""
+    points: NDArray[float64]
+    """(n, 3), mm, from end to end."""
+
+
 class Coefficients(NamedTuple):
     """A linear model's coefficients: k of the design, for m outcomes."""
 

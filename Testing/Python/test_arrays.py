@@ -44,6 +44,26 @@ class Completion(unittest.TestCase):
             palpate.complete(points, center=(0, 0, 0), sigma=0.3)
 
 
+class Geodesics(unittest.TestCase):
+    def test_of_a_ball_are_great_circles(self):
+        surface = palpate.Geodesics(ball(center=CENTER))
+        found = surface.path(CENTER + [30, 0, 0], CENTER + [0, 30, 0])
+        self.assertAlmostEqual(found.along, 10 * numpy.pi, 4)
+        self.assertAlmostEqual(found.straight, 20 * numpy.sqrt(2), 9)
+        numpy.testing.assert_allclose(numpy.linalg.norm(found.points - CENTER, axis=1), 20.0, atol=1e-9)
+        distances = surface.map(CENTER + [30, 0, 0])
+        self.assertAlmostEqual(distances.distances.max(), 20 * numpy.pi, 1)
+        self.assertEqual(len(distances.points), len(distances.distances))
+
+    def test_of_a_mesh_run_along_its_triangles(self):
+        square = palpate.Geodesics(([[0, 0, 0], [10, 0, 0], [10, 10, 0], [0, 10, 0]], [[0, 1, 2], [0, 2, 3]]))
+        found = square.path([1, 1, 5], [9, 7, -5])
+        self.assertAlmostEqual(found.along, 10.0, 12)
+        self.assertTrue(numpy.isnan(found.uncertainty))
+        with self.assertRaisesRegex(palpate.Error, "not finite"):
+            square.path([1, numpy.inf, 0], [9, 7, 0])
+
+
 class Correction(unittest.TestCase):
     def sphere(self):
         index = numpy.stack(numpy.meshgrid(*[numpy.arange(40.0)] * 3, indexing="ij"), axis=-1)
