@@ -249,9 +249,9 @@ palpate_model* palpate_model_fit_mask(const uint8_t* inside, const int size[3],
 }
 
 palpate_model* palpate_complete(const double* points, const double* normals, const int32_t* strokes,
-                                size_t count, const char* prior, double sigma,
-                                const double center[3], double* deviations, double* next,
-                                palpate_error* error)
+                                const uint8_t* outside, size_t count, const char* prior,
+                                double sigma, const double center[3], double* deviations,
+                                double* next, palpate_error* error)
 {
   return Guarded(error, {{points, "points", count}},
                  [&]() -> palpate_model*
@@ -266,6 +266,7 @@ palpate_model* palpate_complete(const double* points, const double* normals, con
                    {
                      touches[n] = {VectorOf(points + 3 * n), sigma};
                      touches[n].Stroke = strokes != nullptr ? strokes[n] : 0;
+                     touches[n].IsOutside = outside != nullptr && outside[n] != 0;
                      if (normals != nullptr && VectorOf(normals + 3 * n) != Vector3::Zero())
                      {
                        touches[n].Normal = VectorOf(normals + 3 * n);

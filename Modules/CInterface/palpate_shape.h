@@ -13,12 +13,13 @@ extern "C"
 
   /* Radial, completed from `count` touched points (x, y, z of each) of a standard deviation `sigma`
    * (mm). May be NULL: `normals` (0 for none), `strokes` (points of one number above 0 share an
-   * offset), `prior` (a file of palpate cohort --prior), `center` (near the organ's), `deviations`
-   * (mm, of the points of palpate_model_mesh of frequency 8), `next` (6 places to touch next). */
+   * offset), `outside` (not 0: the organ does not reach that far), `prior` (a file of palpate
+   * cohort --prior), `center` (near the organ's), `deviations` (mm, of the points of
+   * palpate_model_mesh of frequency 8), `next` (6 places to touch next). */
   palpate_model* palpate_complete(const double* points, const double* normals,
-                                  const int32_t* strokes, size_t count, const char* prior,
-                                  double sigma, const double center[3], double* deviations,
-                                  double* next, palpate_error* error);
+                                  const int32_t* strokes, const uint8_t* outside, size_t count,
+                                  const char* prior, double sigma, const double center[3],
+                                  double* deviations, double* next, palpate_error* error);
 
   /* A mask or a model under correction: a function of the start and the list of steps, each of
    * which can be undone. */

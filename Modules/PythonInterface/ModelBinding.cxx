@@ -75,7 +75,8 @@ BoundModel FitPoints(const py::object& given, int degree, const py::object& cent
 
 py::object Complete(const py::object& givenPoints, const py::object& givenNormals,
                     const std::optional<std::filesystem::path>& prior, double sigma,
-                    const py::object& center, const py::object& givenStrokes)
+                    const py::object& center, const py::object& givenStrokes,
+                    const py::object& givenOutside)
 {
   constexpr int DeviationFrequency = 8;
   const VectorArray points(givenPoints, "points");
@@ -89,11 +90,17 @@ py::object Complete(const py::object& givenPoints, const py::object& givenNormal
   {
     strokes = decltype(strokes)(RealArray(givenStrokes, "strokes"));
   }
+  py::array_t<bool, py::array::c_style | py::array::forcecast> outside;
+  if (!givenOutside.is_none())
+  {
+    outside = decltype(outside)(RealArray(givenOutside, "outside"));
+  }
   const auto isOther = [&points](std::size_t count) { return count != points.Count(); };
   if ((normals && isOther(normals->Count())) ||
-      (!givenStrokes.is_none() && isOther(static_cast<std::size_t>(strokes.size()))))
+      (!givenStrokes.is_none() && isOther(static_cast<std::size_t>(strokes.size()))) ||
+      (!givenOutside.is_none() && isOther(static_cast<std::size_t>(outside.size()))))
   {
-    throw py::value_error("normals and strokes: there has to be one for each point");
+    throw py::value_error("normals, strokes and outside: there has to be one for each point");
   }
   const auto middle = center.is_none() ? std::array<double, 3>{} : TripleOf(center, "center");
   const std::string file = prior ? prior->string() : std::string();
@@ -102,11 +109,13 @@ py::object Complete(const py::object& givenPoints, const py::object& givenNormal
   double* const deviation = deviations.mutable_data();
   double* const places = next.mutable_data();
   const std::int32_t* const numbers = givenStrokes.is_none() ? nullptr : strokes.data();
+  const auto* const beyond =
+      givenOutside.is_none() ? nullptr : reinterpret_cast<const std::uint8_t*>(outside.data());
   BoundModel model;
   {
     const py::gil_scoped_release others;
     model.Handle.reset(Call(palpate_complete, points.Data(), normals ? normals->Data() : nullptr,
-                            numbers, points.Count(), prior ? file.c_str() : nullptr, sigma,
+                            numbers, beyond, points.Count(), prior ? file.c_str() : nullptr, sigma,
                             center.is_none() ? nullptr : middle.data(), deviation, places));
   }
   return Result("Completion", std::move(model), deviations, next);
@@ -374,13 +383,14 @@ void BindModels(py::module_& module)
   module.def(
       "complete", &Complete, py::arg("points"), py::arg("normals") = py::none(),
       py::arg("prior") = py::none(), py::arg("sigma") = 1.0, py::arg("center") = py::none(),
-      py::kw_only(), py::arg("strokes") = py::none(),
+      py::kw_only(), py::arg("strokes") = py::none(), py::arg("outside") = py::none(),
       "Completes an organ's surface from a few touched points (n, 3), mm.\n\n"
       "normals: (n, 3), 0 for a point without. prior: a file of palpate cohort --prior; else "
       "the organ is smooth.\n"
       "sigma: standard deviation of the points, mm. center: (3,), near the organ's; the "
       "middle of the points unless given.\n"
-      "strokes: (n,): points of the same number above 0 share an offset.");
+      "strokes: (n,): points of the same number above 0 share an offset. outside: (n,), "
+      "bool: the organ does not reach that far.");
   module.def(
       "fit_mask",
       [](const py::object& mask, int degree, const std::string& kind, const py::object& spacing,

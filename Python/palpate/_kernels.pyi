@@ -126,6 +126,7 @@ def complete(
     center: Optional[ArrayLike] = None,
     *,
     strokes: Optional[ArrayLike] = None,
+    outside: Optional[ArrayLike] = None,
 ) -> Completion: ...
 def fit_mask(
     mask: ArrayLike,

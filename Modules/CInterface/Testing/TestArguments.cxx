@@ -143,7 +143,7 @@ TEST(Arguments, ModelFunctionsSurviveEveryNull)
   SURVIVES(palpate_model_fit, b.A.data(), 4, Origin, 0, e);
   SURVIVES(palpate_model_fit_mask, b.Mask.data(), Size, Origin, Spacing, Axes, 2, 1, e);
   const double touched[] = {20, 0, 0, -20, 0, 0, 0, 20, 0, 0, -20, 0, 0, 0, 20, 0, 0, -20};
-  SURVIVES(palpate_complete, touched, touched, b.Triangles.data(), 6, nullptr, 1.0, Origin,
+  SURVIVES(palpate_complete, touched, touched, b.Triangles.data(), nullptr, 6, nullptr, 1.0, Origin,
            b.A.data(), b.B.data(), e);
   SURVIVES(palpate_correction_of_model, m, e);
   SURVIVES(palpate_correction_of_mask, b.Mask.data(), nullptr, Size, Origin, Spacing, Axes, e);
@@ -436,7 +436,7 @@ TEST(Arguments, AbsurdCountsAreRefusedInOwnWords)
   for (const std::size_t count : {SIZE_MAX, SIZE_MAX / 2, SIZE_MAX / 3 + 1, std::size_t{1} << 40U})
   {
     refused(palpate_model_fit(a, count, Origin, 4, e));
-    refused(palpate_complete(a, a, t, count, nullptr, 1.0, Origin, a, a, e));
+    refused(palpate_complete(a, a, t, nullptr, count, nullptr, 1.0, Origin, a, a, e));
     refused(palpate_model_evaluate(ball.get(), a, count, &evaluation, e));
     refused(palpate_compared_of_mesh(a, count, t, 1, e));
     refused(palpate_compared_of_mesh(a, 3, t, count, e));

@@ -55,9 +55,9 @@ TEST(ModelHandle, CompletesABallFromItsCorners)
   palpate_error error{};
   std::vector<double> deviations(palpate_mesh_point_count(8), -1.0);
   std::vector<double> next(18, -1.0);
-  const Owned<palpate_model> made(palpate_complete(points.data(), nullptr, nullptr, 12, nullptr,
-                                                   0.5, nullptr, deviations.data(), next.data(),
-                                                   &error));
+  const Owned<palpate_model> made(palpate_complete(points.data(), nullptr, nullptr, nullptr, 12,
+                                                   nullptr, 0.5, nullptr, deviations.data(),
+                                                   next.data(), &error));
   ASSERT_NE(made, nullptr) << error.text;
   double volume = 0.0;
   double area = 0.0;
@@ -65,8 +65,8 @@ TEST(ModelHandle, CompletesABallFromItsCorners)
   EXPECT_NEAR(volume, 4.0 / 3.0 * M_PI * std::pow(24.0, 3), 30.0); // 0.01 mm of radius
   EXPECT_GT(*std::min_element(deviations.begin(), deviations.end()), 0.3);
   EXPECT_NEAR(std::hypot(next[0] - 5.0, next[1] - 6.0, next[2] - 7.0), 24.0, 0.1);
-  EXPECT_EQ(palpate_complete(points.data(), nullptr, nullptr, 12, "absent.json", 0.5, nullptr,
-                             nullptr, nullptr, &error),
+  EXPECT_EQ(palpate_complete(points.data(), nullptr, nullptr, nullptr, 12, "absent.json", 0.5,
+                             nullptr, nullptr, nullptr, &error),
             nullptr);
   EXPECT_NE(std::string(error.text).find("absent.json"), std::string::npos);
 }
