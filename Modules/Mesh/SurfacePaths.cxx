@@ -236,6 +236,19 @@ bool SurfacePaths::PassCorners(const StripPath& path, std::vector<int>& crossed)
   return isChanged;
 }
 
+// Leads the strip around corners until that shortens the path no more.
+StripPath SurfacePaths::Shorten(std::vector<int>& crossed, const Vector3& from,
+                                const Vector3& to) const
+{
+  StripPath path = this->PathOf(crossed, from, to);
+  const std::size_t mostPasses = 100 + crossed.size();
+  for (std::size_t pass = 0; pass < mostPasses && this->PassCorners(path, crossed); ++pass)
+  {
+    path = this->PathOf(crossed, from, to);
+  }
+  return path;
+}
+
 Status SurfacePaths::FindIn(const NearestOnMesh::Result& start, const NearestOnMesh::Result& end,
                             const std::vector<bool>& corridor, Path& found) const
 {
@@ -248,13 +261,10 @@ Status SurfacePaths::FindIn(const NearestOnMesh::Result& start, const NearestOnM
       return Status::Failure("The points lie on parts of the surface that are not connected.");
     }
   }
+  // The ends are cut only then: the strip may first have to pass them on their other side.
+  this->Shorten(crossed, start.Point, end.Point);
   this->CutEnds(crossed, start.Point, end.Point);
-  StripPath path = this->PathOf(crossed, start.Point, end.Point);
-  const std::size_t mostPasses = 100 + crossed.size();
-  for (std::size_t pass = 0; pass < mostPasses && this->PassCorners(path, crossed); ++pass)
-  {
-    path = this->PathOf(crossed, start.Point, end.Point);
-  }
+  StripPath path = this->Shorten(crossed, start.Point, end.Point);
   // At a corner, several edges are crossed at once.
   const double least = 1e-12 * path.Length;
   const auto last =

@@ -66,6 +66,7 @@ private:
   StripPath PathOf(const std::vector<int>& crossed, const Vector3& from, const Vector3& to) const;
   bool RunsAround(int halfEdge, int point) const noexcept;
   Detour DetourAt(const std::vector<int>& crossed, int point, int place) const;
+  StripPath Shorten(std::vector<int>& crossed, const Vector3& from, const Vector3& to) const;
   bool PassCorners(const StripPath& path, std::vector<int>& crossed) const;
   void CutEnds(std::vector<int>& crossed, const Vector3& from, const Vector3& to) const;
   void RemoveLoops(std::vector<int>& crossed) const;
