@@ -165,6 +165,22 @@ TEST(Arguments, ModelFunctionsSurviveEveryNull)
   SURVIVES(palpate_correction_mask, c, b.Mask.data(), e);
   SURVIVES(palpate_correction_model, c, e);
   SURVIVES(palpate_correction_free, nullptr);
+  const double corners[] = {0, 0, 0, 9, 0, 0, 0, 9, 0};
+  const int32_t triangle[] = {0, 1, 2};
+  test::Owned<palpate_compared> flat(palpate_compared_of_mesh(corners, 3, triangle, 1, nullptr));
+  test::Owned<palpate_geodesics> along(palpate_geodesics_of_body(flat.get(), nullptr));
+  palpate_geodesics* g = along.get();
+  palpate_geodesic length{};
+  SURVIVES(palpate_geodesics_of_model, m, e);
+  SURVIVES(palpate_geodesics_of_body, flat.get(), e);
+  SURVIVES(palpate_geodesics_find, g, Origin, Axes, &length, b.A.data(), 2, &points, e);
+  ASSERT_EQ(palpate_geodesics_map(g, Origin, &points, &triangles, nullptr, nullptr, nullptr, e), 1);
+  std::vector<double> places(3 * points);
+  std::vector<double> distances(points);
+  std::vector<int32_t> faces(3 * triangles);
+  SURVIVES(palpate_geodesics_map, g, Origin, &points, &triangles, places.data(), faces.data(),
+           distances.data(), e);
+  SURVIVES(palpate_geodesics_free, nullptr);
   SURVIVES(palpate_model_read, "absent.json", e);
   SURVIVES(palpate_model_write, m, "/absent/folder/a.json", e);
   SURVIVES(palpate_model_free, m);
