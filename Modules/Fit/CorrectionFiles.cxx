@@ -10,6 +10,7 @@
 #include "LabelMask.h"
 #include "MaskEdits.h"
 #include "MeshConversion.h"
+#include "MeshDistances.h"
 #include "ModelCorrection.h"
 #include "ModelFile.h"
 #include "OutputFolder.h"
@@ -207,16 +208,13 @@ std::string StepName(std::size_t number)
 // Mean without sign over the area of a surface.
 double MeanOver(const IndexedMesh& mesh, const std::vector<double>& distances)
 {
+  const std::vector<double> areas = PointAreas(mesh);
   double sum = 0.0;
   double area = 0.0;
-  for (const std::array<int, 3>& triangle : mesh.Triangles)
+  for (std::size_t n = 0; n < areas.size(); ++n)
   {
-    const double part = AreaVector(mesh, triangle).norm();
-    area += part;
-    for (const int corner : triangle)
-    {
-      sum += part / 3.0 * std::abs(distances[static_cast<std::size_t>(corner)]);
-    }
+    sum += areas[n] * std::abs(distances[n]);
+    area += areas[n];
   }
   return area > 0.0 ? sum / area : 0.0;
 }

@@ -107,6 +107,19 @@ private:
     }
   }
 
+  bool IsCut(const SceneStructure& structure)
+  {
+    const auto file = this->SegmentationOf(structure.File); // read before
+    return !CutsOf(*file, SegmentOf(structure, *file)).empty();
+  }
+  // Its contact has its cuts.
+  bool PassesCuts(const SceneStructure& structure) const
+  {
+    return std::any_of(this->Made.Contacts.begin(), this->Made.Contacts.end(),
+                       [&](const SceneContact& one)
+                       { return one.Id == structure.Id && !one.Contact->Cuts.empty(); });
+  }
+
   void WarnOfCuts()
   {
     for (const SceneStructure& structure : this->Planned.Structures)
@@ -115,10 +128,9 @@ private:
       {
         continue;
       }
-      const auto file = this->SegmentationOf(structure.File); // read before
-      if (!CutsOf(*file, SegmentOf(structure, *file)).empty())
+      const bool isFelt = structure.KeepsCuts || structure.IsDrilled();
+      if (isFelt ? this->IsCut(structure) : this->PassesCuts(structure))
       {
-        const bool isFelt = structure.KeepsCuts || structure.IsDrilled();
         this->Made.Warnings.push_back(
             TitleOf(structure) + " is cut by the border of its image; the cut is " +
             (isFelt ? "felt as if the organ ended there" : "not felt: the tool passes there"));
