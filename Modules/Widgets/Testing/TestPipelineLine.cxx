@@ -36,7 +36,7 @@ TEST_F(PipelineLineTest, TellsWhatRunsWithoutMovingAnything)
                      EXPECT_EQ(this->ColumnTop(), top);
                      EXPECT_EQ(this->Line()->height(), height);
                    });
-  this->OpenPhantom();
+  this->OpenPhantom(FitSettings());
   EXPECT_TRUE(told.filter(" of 3").size() > 0) << told.join(", ").toStdString();
   // One voxel cannot be modelled.
   WaitUntil([this] { return this->Line()->Text().contains("failed"); });

@@ -118,8 +118,20 @@ protected:
     DrawAll(*this->Window->Views());
     EXPECT_EQ(this->Study->State(), saved);
   }
-  void OpenPhantom()
+  /// A coarse fit, which is enough for its shapes: most of a test's time would go to models.
+  static FitSettings CoarseFit()
   {
+    FitSettings fit;
+    fit.Model = FitSettings::ModelKind::Radial;
+    fit.Frequency = 8;
+    return fit;
+  }
+  void OpenPhantom(const FitSettings& fit = CoarseFit())
+  {
+    StudyState first = this->Study->State();
+    first.Fit.Model = fit.Model;
+    first.Fit.Frequency = fit.Frequency;
+    this->Study->BeginWith(first);
     this->Study->OpenVolume(this->VolumeFile());
     this->Study->OpenSegmentation(this->MaskFile());
     WaitUntil([this] { return this->Study->State().Structures.size() == 3; });
