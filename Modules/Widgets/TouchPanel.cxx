@@ -6,6 +6,7 @@
 
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QMap>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -18,23 +19,23 @@ namespace palpate
 namespace
 {
 // What a person calls a device; one with an argument has no other name.
+const QMap<QString, QString>& DeviceNames()
+{
+  static const QMap<QString, QString> names{{"simulated", "Mouse (no device)"},
+                                            {"falcon", "Novint Falcon"},
+                                            {"controller", "Game controller"},
+                                            {"spacemouse", "SpaceMouse"}};
+  return names;
+}
+
 QString LabelOf(const QString& device)
 {
-  return device == "simulated" ? "Mouse (no device)"
-         : device == "falcon"  ? "Novint Falcon"
-                               : device;
+  return DeviceNames().value(device, device);
 }
 
 QString DeviceOf(const QString& label)
 {
-  for (const char* device : {"simulated", "falcon"})
-  {
-    if (label == LabelOf(device))
-    {
-      return device;
-    }
-  }
-  return label;
+  return DeviceNames().key(label, label);
 }
 
 QStringList DeviceLabels()

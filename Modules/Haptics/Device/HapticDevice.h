@@ -53,6 +53,11 @@ public:
     return false;
   }
 
+  /// The distance (mm) from the tool to the nearest structure, infinite if there is none, for
+  /// devices that are slow near one. From a display, so some ticks old, or never called. Any
+  /// thread.
+  virtual void TellDistance(double distance) noexcept { static_cast<void>(distance); }
+
   /// The newest sample, which may be the previous one again. Returns false if the device failed.
   /// Never waits longer than a fraction of its own period.
   virtual bool Read(DeviceSample& sample) noexcept = 0;
