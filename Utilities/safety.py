@@ -15,7 +15,7 @@ import sys
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "Documentation" / "Safety.md"
 BEGIN = "<!-- Utilities/safety.py writes from here -->\n"
 END = "<!-- to here -->\n"
-FRONTS = ("virtual time", "libusb", "virtual bus")
+FRONTS = ("virtual time", "libusb", "virtual bus", "Inverse3")
 
 
 def tests_of(path):
@@ -34,6 +34,8 @@ def words(name):
 def cell(test):
     if "ticks_from_fault" in test:
         return f'{test["ticks_from_fault"]} ({test["ticks_from_cause"]})'
+    if "ticks" in test:
+        return str(test["ticks"])
     text = f'{float(test["milliseconds"]):.1f}'
     if "milliseconds_from_fault" in test:
         text = f'{float(test["milliseconds_from_fault"]):.1f} ({text})'
@@ -51,7 +53,7 @@ def main():
     if not rows:
         sys.exit("no test recorded a fault")
     lines = ["| fault | virtual time: ticks from the fault (from its cause) | libusb: ms, likewise "
-             "| virtual bus: ms |", "| --- | --- | --- | --- |"]
+             "| virtual bus: ms | Inverse3: ticks from the cause, most of 50 |", "| --- | --- | --- | --- | --- |"]
     lines += [f"| {words(fault)} | " + " | ".join(row.get(front, "–") for front in FRONTS) + " |"
               for fault, row in sorted(rows.items(), key=lambda item: words(item[0]))]
     before, rest = PAGE.read_text().split(BEGIN)

@@ -10,6 +10,8 @@ out=build/release/safety
 mkdir -p "$out"
 "$bin/FalconTests" --gtest_brief=1 --gtest_filter='*FalconStop*' --gtest_output="json:$out/virtual-time.json"
 "$bin/FalconUsbTests" --gtest_brief=1 --gtest_filter='*StopOverUsb*' --gtest_output="json:$out/libusb.json"
+"$bin/Inverse3Tests" --gtest_brief=1 --gtest_filter='*Inverse3Faults*' --gtest_repeat=50 \
+  --gtest_output="json:$out/inverse3.json"
 umockdev-wrapper "$bin/FalconBusTests" --gtest_brief=1 --gtest_filter='FalconGuardOfLink*' \
   --gtest_output="json:$out/guard.json"
 umockdev-wrapper "$bin/CliFalconTests" --gtest_brief=1 --gtest_filter='*CliFalconEnds*' \

@@ -23,6 +23,7 @@ const QMap<QString, QString>& DeviceNames()
 {
   static const QMap<QString, QString> names{{"simulated", "Mouse (no device)"},
                                             {"falcon", "Novint Falcon"},
+                                            {"inverse3", "Haply Inverse3"},
                                             {"controller", "Game controller"},
                                             {"spacemouse", "SpaceMouse"}};
   return names;
