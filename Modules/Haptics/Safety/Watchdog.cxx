@@ -1,7 +1,6 @@
 #include "Watchdog.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace palpate
 {
@@ -10,11 +9,9 @@ namespace
 // Ticks at the same time still allow for a motion of some encoder counts.
 constexpr double ShortestPeriod = 1e-4; // s
 
-bool IsFinite(const DeviceSample& sample) noexcept
+Eigen::Quaterniond OrientationOf(const DeviceSample& sample) noexcept
 {
-  return Vector3(sample.Position).allFinite() &&
-         std::all_of(sample.Orientation.begin(), sample.Orientation.end(),
-                     [](double number) { return std::isfinite(number); });
+  return Eigen::Quaterniond(Eigen::Map<const Eigen::Quaterniond>(sample.Orientation.data()));
 }
 } // namespace
 
@@ -43,7 +40,10 @@ bool Watchdog::IsTooFast(const TickObservation& now) const noexcept
 {
   const double passed = 1e-9 * static_cast<double>(now.Sample.Time - this->Last.Sample.Time);
   const double path = (Vector3(now.Sample.Position) - Vector3(this->Last.Sample.Position)).norm();
-  return !(path <= this->Limits.FastestMotion * std::max(passed, ShortestPeriod));
+  const double turn = OrientationOf(now.Sample).angularDistance(OrientationOf(this->Last.Sample));
+  const double period = std::max(passed, ShortestPeriod);
+  return !(path <= this->Limits.FastestMotion * period) ||
+         !(turn <= this->Limits.FastestTurn * period);
 }
 
 SafetyFault Watchdog::CheckDevice(const TickObservation& now) noexcept
@@ -60,7 +60,7 @@ SafetyFault Watchdog::CheckDevice(const TickObservation& now) noexcept
 
 SafetyFault Watchdog::CheckSample(const TickObservation& now) noexcept
 {
-  if (!IsFinite(now.Sample))
+  if (!now.Sample.IsPose())
   {
     return SafetyFault::NonFinitePosition;
   }

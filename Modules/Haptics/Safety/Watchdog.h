@@ -14,6 +14,7 @@ struct WatchdogLimits
   std::int64_t OldestSample = 10'000'000; ///< ns from its measurement to the tick, or after it
   int StaleTicks = 2;                     ///< consecutive ticks without a new sample
   double FastestMotion = 5000.0;          ///< mm/s; hands on a device stay below 2000
+  double FastestTurn = 100.0;             ///< rad/s; wrists stay below 30
 };
 
 /// Input of a tick.

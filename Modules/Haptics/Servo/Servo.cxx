@@ -236,6 +236,7 @@ void Servo::ForgetMotion() noexcept
   this->HasFelt = false;
   this->CarriesOn = false;
   this->HandVelocity.Reset();
+  this->Turning.Reset();
   if (this->Scenes.Current() != nullptr)
   {
     this->Scenes.Current()->Leave();
@@ -280,14 +281,16 @@ void Servo::Feel(const TickObservation& now) noexcept
 {
   ServoScene* const scene = this->Scenes.Current();
   const bool isNew = !this->HasFelt || now.Sample.Sequence != this->LastFelt.Sequence;
-  // The watchdog will detect a position that is not finite; no model is queried for it.
-  if (scene == nullptr || !isNew || !Vector3(now.Sample.Position).allFinite())
+  // The watchdog will detect a pose that is none; no model is queried for it.
+  if (scene == nullptr || !isNew || !now.Sample.IsPose())
   {
     return;
   }
   const double passed =
       this->HasFelt ? 1e-9 * static_cast<double>(now.Sample.Time - this->LastFelt.Time) : 0.0;
-  this->Current.Pose = scene->Scene().Frame.PoseWorld(now.Sample);
+  DeviceSample limited = now.Sample;
+  this->Turning.Follow(passed, limited.Orientation);
+  this->Current.Pose = scene->Scene().Frame.PoseWorld(limited);
   if (this->IsClutched)
   {
     this->Current.Felt.Deepest.ProxyWorld = this->Current.Pose.PositionWorld;

@@ -7,6 +7,7 @@
 #include "ServoScene.h"
 #include "SnapshotSlot.h"
 #include "TouchState.h"
+#include "TurnLimit.h"
 #include "VelocityEstimate.h"
 
 #include <atomic>
@@ -147,6 +148,7 @@ private:
   std::uint64_t SceneCount = 0;
   ServoSettings Settings;
   VelocityEstimate HandVelocity; // mm/s, device's frame
+  TurnLimit Turning;             // of the device
   DeviceSample LastFelt;
   double MostForce; // N, of the device
   SafetyChain Safety;

@@ -35,6 +35,33 @@ TEST(Watchdog, FailureOrLeavingReadyIsAFaultAtOnce)
   EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::DeviceFailed);
 }
 
+TEST(Watchdog, OrientationThatIsNoneIsAFault)
+{
+  const double odd[][4] = {{0.0, 0.0, 0.0, 0.0},
+                           {0.0, 0.0, 0.0, 1.01},
+                           {test::NotANumber, 0.0, 0.0, 1.0},
+                           {test::Infinite, 0.0, 0.0, 1.0}};
+  for (const auto& parts : odd)
+  {
+    Watched watched;
+    std::copy(std::begin(parts), std::end(parts), watched.Next.Sample.Orientation.begin());
+    EXPECT_EQ(watched.Dog.Check(watched.Next), SafetyFault::NonFinitePosition);
+  }
+}
+
+TEST(Watchdog, TurnFasterThanAnyWristIsAFault)
+{
+  const auto turnedBy = [](double angle)
+  {
+    Watched watched;
+    watched.Next.Sample.Orientation = {std::sin(0.5 * angle), 0.0, 0.0, std::cos(0.5 * angle)};
+    return watched.Dog.Check(watched.Next);
+  };
+  EXPECT_EQ(turnedBy(0.09), SafetyFault::None);
+  EXPECT_EQ(turnedBy(0.11), SafetyFault::ImplausibleMotion);
+  EXPECT_EQ(turnedBy(2.0 * EIGEN_PI), SafetyFault::None) << "the same orientation";
+}
+
 TEST(Watchdog, FailureBeforeReadyIsAFault)
 {
   Watchdog dog{WatchdogLimits()};
