@@ -353,7 +353,9 @@ void Study::StartTouch()
   this->CloseReplay();
   StudyJob job;
   job.IsUrgent = true;
-  job.Work = [this, name = this->State().Device, &clock = this->Time](const ProgressFunction&)
+  const std::string heard = this->AreHeard ? "+sound" : "";
+  job.Work =
+      [this, name = this->State().Device + heard, &clock = this->Time](const ProgressFunction&)
   {
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
     const Status status = OpenBuiltInDevice(name, clock, *device);

@@ -126,6 +126,8 @@ public:
 
   /// Opens the state's device in the background, then starts the touch.
   void StartTouch();
+  /// Touches that begin from now on are heard, too (SoundingDevice).
+  void HearTouches(bool areHeard) { this->AreHeard = areHeard; }
   void StopTouch();
   /// Moves the centre of the workspace (mm) during a touch; one undo step per `gesture`.
   void MoveWorkspace(const Vector3& centerWorld, const std::string& gesture);
@@ -200,6 +202,7 @@ private:
   TouchToolSettings ReadTool; ///< the last usable one, with its surface
   std::string Problem;
   bool LacksContacts = false; ///< which is the problem
+  bool AreHeard = false;      ///< touches
   std::string Unplayable;
   // Measurement of a structure's presets.
   struct Quality

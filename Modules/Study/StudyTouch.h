@@ -91,6 +91,8 @@ public:
   }
   /// Places a simulated hand in front of the scene, as seen by a viewer.
   bool PlaceHand(const Vector3& towardsViewerWorld);
+  /// mm from the tool to the nearest structure, for devices that are slow near one.
+  void TellDistance(double distance) noexcept { this->Session.TellDistance(distance); }
   /// Target of the simulated hand (mm); moves with the workspace.
   Vector3 HandWorld() const { return this->Session.HandWorld(); }
   /// The device's clutch button, from 0: a Falcon's centre.

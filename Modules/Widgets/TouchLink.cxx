@@ -12,6 +12,7 @@
 #include <QTextEdit>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace palpate
@@ -142,6 +143,23 @@ void TouchLink::ShowProbe()
 {
   this->Contents.ShowTouch(this->Study.Reading(),
                            this->Study.IsTouching() || this->Study.IsReplaying());
+  if (this->Study.IsTouching())
+  {
+    this->Study.Current().Touch().TellDistance(this->ToolDistance());
+  }
+}
+
+// mm from the tool, as it is shown, to the nearest surface.
+double TouchLink::ToolDistance() const
+{
+  const auto& probe = this->Contents.Probe();
+  if (probe->GetInContact())
+  {
+    return 0.0;
+  }
+  return probe->GetHasNearestPoint()
+             ? (Vector3(probe->GetNearestPoint()) - probe->ProxyWorld()).norm()
+             : std::numeric_limits<double>::infinity();
 }
 
 void TouchLink::ShowNotice()

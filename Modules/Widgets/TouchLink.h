@@ -44,6 +44,7 @@ private:
   void ShowReading();
   void ShowDrilled();
   void ShowProbe();
+  double ToolDistance() const;
   void ShowNotice();
   void ShowPlace();
   void TellAxes();

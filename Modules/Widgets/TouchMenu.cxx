@@ -10,6 +10,7 @@ namespace
 {
 constexpr const char* RecordingEnding = ".touch";
 constexpr const char* SoundKey = "alarm-sound";
+constexpr const char* HearingKey = "hear-touches";
 constexpr const char* PushKey = "push-along-sight";
 constexpr const char* RecordingFilter = "Recorded touches (*.touch *.part)";
 } // namespace
@@ -30,6 +31,7 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
   this->Sound->setChecked(QSettings().value(SoundKey, false).toBool());
   connect(this->Sound, &QAction::toggled, this,
           [](bool isOn) { QSettings().setValue(SoundKey, isOn); });
+  this->AddHearing();
   this->AddPush();
   this->AddWorkspace();
   this->AddRecording();
@@ -39,6 +41,22 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
   connect(&study, &StudyController::ReplayChanged, this, &TouchMenu::ShowTouch);
   connect(&study, &StudyController::Touched, this, &TouchMenu::ShowRecording);
   this->ShowTouch();
+}
+
+void TouchMenu::AddHearing()
+{
+  QAction* hear = this->addAction("&Hear touches");
+  hear->setToolTip(
+      "A tone for the force, a rustle for texture, a click when a contact begins; from "
+      "the next touch on");
+  hear->setCheckable(true);
+  connect(hear, &QAction::toggled, this,
+          [this](bool isOn)
+          {
+            QSettings().setValue(HearingKey, isOn);
+            this->Study.HearTouches(isOn);
+          });
+  hear->setChecked(QSettings().value(HearingKey, false).toBool());
 }
 
 void TouchMenu::AddPush()

@@ -36,6 +36,7 @@ Q_SIGNALS:
 private:
   void AddWorkspace();
   void AddPush();
+  void AddHearing();
   void AddRecording();
   void OpenRecording();
   void Export();

@@ -41,10 +41,13 @@ Status SteeredDevice::Open()
   Status status = this->Source->Open();
   if (status.IsOk())
   {
+    // In front of what a workspace has in its middle: a hand that is found inside feels nothing.
+    const Vector3 start(0.0, 0.0, 0.9 * SteeringSettings().Reach);
+    static_cast<void>(this->Hand.LeadHand(start));
     status = this->Hand.Open();
     this->Last = {};
     this->Distance = std::numeric_limits<double>::infinity();
-    this->Steered.Begin(Vector3::Zero());
+    this->Steered.Begin(start);
   }
   return status;
 }

@@ -43,6 +43,21 @@ TEST(BuiltInDevices, KeepDeviceContract)
   }
 }
 
+TEST(BuiltInDevices, AreHeardByTheEndingOfTheirName)
+{
+  std::string name = "replay:a+sound";
+  EXPECT_TRUE(TakeSound(name));
+  EXPECT_EQ(name, "replay:a");
+  EXPECT_FALSE(TakeSound(name));
+  name = "+sound";
+  EXPECT_FALSE(TakeSound(name)) << "of no device";
+  ManualClock clock(1);
+  std::unique_ptr<HapticDevice> device;
+  ASSERT_TRUE(MakeBuiltInDevice("simulated+sound", clock, device).IsOk());
+  EXPECT_EQ(device->Capabilities().Name, "Simulated device");
+  EXPECT_FALSE(MakeBuiltInDevice("none+sound", clock, device).IsOk());
+}
+
 TEST(BuiltInDevices, RejectSecondRegistration)
 {
   DeviceRegistry registry;

@@ -88,6 +88,14 @@ public:
   /// Moves the hand of a simulated device to a place of the device (mm). Returns false, without
   /// effect, for a real device.
   bool LeadHand(const Vector3& handDevice);
+  /// What a display measured: mm from the tool to the nearest structure (HapticDevice).
+  void TellDistance(double distance) noexcept
+  {
+    if (this->IsOpen())
+    {
+      this->Opened->TellDistance(distance);
+    }
+  }
   /// Goal of such a hand (mm); it moves with the workspace.
   Vector3 HandWorld() const { return this->Place.ToWorld(this->Hand); }
 

@@ -8,6 +8,7 @@
 #include "OpenBuiltInDevice.h"
 #include "Refusal.h"
 #include "SimulatedDevice.h"
+#include "SoundingDevice.h"
 #include "SteadyClock.h"
 #include "StiffnessAdvice.h"
 #include "TouchReplay.h"
@@ -42,15 +43,20 @@ void Succeed(const Status& status)
 std::unique_ptr<HapticDevice> MakeDevice(const std::string& name, Clock& clock,
                                          std::function<Vector3(double)> path)
 {
-  if (name == SimulatedName)
+  std::string silent = name;
+  const bool sounds = TakeSound(silent);
+  std::unique_ptr<HapticDevice> device;
+  if (silent == SimulatedName)
   {
     SimulatedSettings settings;
     settings.Path = std::move(path);
-    return std::make_unique<SimulatedDevice>(clock, settings);
+    device = std::make_unique<SimulatedDevice>(clock, settings);
   }
-  std::unique_ptr<HapticDevice> device;
-  RequireInput(MakeBuiltInDevice(name, clock, device));
-  return device;
+  else
+  {
+    RequireInput(MakeBuiltInDevice(silent, clock, device));
+  }
+  return sounds ? std::make_unique<SoundingDevice>(std::move(device)) : std::move(device);
 }
 
 // A sweep is repeated back and forth until the touch ends; other paths end.
@@ -395,7 +401,9 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   scene->Frame = touch.Frame.ForDevice();
   RequireInput(scene->Check());
   touch.Path = script.Path;
-  if (touch.Path.IsEmpty() && settings.Device == SimulatedName)
+  std::string silent = settings.Device;
+  TakeSound(silent);
+  if (touch.Path.IsEmpty() && silent == SimulatedName)
   {
     RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed,
                          script.Duration.value_or(std::numeric_limits<double>::infinity()),

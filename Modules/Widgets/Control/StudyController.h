@@ -120,6 +120,7 @@ public:
     this->LookSoon();
   }
   void StopTouch();
+  void HearTouches(bool areHeard) { this->Open.HearTouches(areHeard); }
   void MoveWorkspace(const Vector3& centerWorld, const QString& gesture)
   {
     this->Open.MoveWorkspace(centerWorld, gesture.toStdString());

@@ -1,6 +1,7 @@
 #include "PlotsPanel.h"
 #include "ThresholdDialog.h"
 #include "TouchPanel.h"
+#include "VirtualSpnav.h"
 #include "WindowTest.h"
 
 #include "vtkRenderWindow.h"
@@ -90,6 +91,46 @@ TEST_F(TouchLinkTest, ToolWithoutContactTellsItsDistance)
   const Vector3 tool = probe->ProxyWorld();
   // No farther than the sphere of 9 mm, within a voxel.
   EXPECT_LE((nearest - tool).norm(), std::abs((tool - this->SphereCenter).norm() - 9.0) + 1.0);
+}
+
+TEST_F(TouchLinkTest, SpaceMouseIsSlowNearTheSurfaceAndPushesIt)
+{
+  test::VirtualSpnav daemon((this->Phantom.Folder / "spnav").string());
+  this->OpenPhantom();
+  StudyState next = this->Study->State();
+  next.Structures.resize(1);
+  next.Device = "spacemouse:" + (this->Phantom.Folder / "spnav").string();
+  this->Study->Change("Steer at the ball", next);
+  this->BeginTouch();
+  daemon.Accept();
+  // Of the ticks, how fast the tool moves (mm/s of the hand) at a distance from the surface.
+  vtkProbeRepresentation* probe = this->Window->Contents().Probe();
+  double far = 0.0;
+  double near = 0.0;
+  Vector3 last = Vector3::Zero();
+  std::int64_t lastTime = 0;
+  daemon.Send({0, 0, 0, 250, 0, 0, 0, 16}); // away from the person
+  this->FeelUntil(
+      [&]
+      {
+        const TouchState& state = this->Study->Reading().Newest;
+        const Vector3 hand(state.Sample.Position);
+        const double passed = 1e-9 * static_cast<double>(state.Sample.Time - lastTime);
+        const double speed = lastTime > 0 && passed > 0.0 ? (hand - last).norm() / passed : 0.0;
+        const double distance =
+            probe->GetHasNearestPoint()
+                ? (Vector3(probe->GetNearestPoint()) - probe->ProxyWorld()).norm()
+                : 100.0;
+        far = distance > 20.0 ? std::max(far, speed) : far;
+        near = distance < 6.0 && !probe->GetInContact() ? speed : near;
+        last = hand;
+        lastTime = state.Sample.Time;
+        return Norm(state.ForceWorld) > 0.5;
+      });
+  EXPECT_EQ(this->Study->Reading().TouchedId, 1);
+  EXPECT_GT(far, 1.5 * near);
+  daemon.Send({0, 0, 0, 0, 0, 0, 0, 16});
+  this->FeelUntil([&] { return Norm(this->Study->Reading().Newest.ForceWorld) < 0.3; });
 }
 
 TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)

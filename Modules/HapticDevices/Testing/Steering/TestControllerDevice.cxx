@@ -184,7 +184,7 @@ TEST_F(ControllerTest, LeftStickMovesTheHandAndButtonsArePassedOn)
   EXPECT_TRUE(this->ReadUntil(
       [&] { return this->Sample.Position.X > 2.0 && this->Sample.Position.Y > 2.0; }));
   EXPECT_EQ(this->Sample.Buttons, 2u);
-  EXPECT_NEAR(this->Sample.Position.Z, 0.0, 1e-6) << "triggers rest at their middle or their end";
+  EXPECT_NEAR(this->Sample.Position.Z, 36.0, 1e-6) << "triggers rest at their middle or their end";
 }
 
 TEST_F(ControllerTest, MotorsTurnWhileItTouchesAndStopWhenClosed)

@@ -4,54 +4,12 @@
 #include "ManualClock.h"
 #include "SpaceMouseSource.h"
 #include "TemporaryFolder.h"
-
-#include <array>
-#include <sys/socket.h>
-#include <sys/un.h>
-#include <unistd.h>
+#include "VirtualSpnav.h"
 
 namespace palpate::space_mouse_device_test
 {
 namespace
 {
-/// Stands for spacenavd: a socket that takes clients, and sends what a test says.
-class VirtualDaemon
-{
-public:
-  explicit VirtualDaemon(const std::string& path)
-  {
-    sockaddr_un address{};
-    address.sun_family = AF_UNIX;
-    path.copy(address.sun_path, sizeof(address.sun_path) - 1);
-    this->Listening = socket(AF_UNIX, SOCK_STREAM, 0);
-    EXPECT_EQ(bind(this->Listening, reinterpret_cast<sockaddr*>(&address), sizeof(address)), 0);
-    EXPECT_EQ(listen(this->Listening, 4), 0);
-  }
-  ~VirtualDaemon() { this->End(); }
-
-  void Accept() { this->Client = accept(this->Listening, nullptr, nullptr); }
-  void Send(const std::array<std::int32_t, 8>& event)
-  {
-    EXPECT_EQ(send(this->Client, event.data(), sizeof(event), 0),
-              static_cast<ssize_t>(sizeof(event)));
-  }
-  void End()
-  {
-    for (int* open : {&this->Client, &this->Listening})
-    {
-      if (*open >= 0)
-      {
-        close(*open);
-        *open = -1;
-      }
-    }
-  }
-
-private:
-  int Listening = -1;
-  int Client = -1;
-};
-
 class SpaceMouseTest : public testing::Test
 {
 protected:
@@ -80,13 +38,13 @@ protected:
 
 TEST_F(SpaceMouseTest, KeepsTheContractOfDevices)
 {
-  const VirtualDaemon daemon(this->Path);
+  const test::VirtualSpnav daemon(this->Path);
   test::ExpectDeviceContract(*this->Device, [&] { this->Time.Advance(1'000'000); });
 }
 
 TEST_F(SpaceMouseTest, DeflectionMovesTheHandUntilItIsReleased)
 {
-  VirtualDaemon daemon(this->Path);
+  test::VirtualSpnav daemon(this->Path);
   ASSERT_TRUE(this->Device->Open().IsOk());
   daemon.Accept();
   daemon.Send({0, 175, 0, 0, 0, 0, 0, 16});
@@ -103,7 +61,7 @@ TEST_F(SpaceMouseTest, DeflectionMovesTheHandUntilItIsReleased)
 
 TEST_F(SpaceMouseTest, EndOfTheDaemonIsAnErrorThatSaysWhatToDo)
 {
-  VirtualDaemon daemon(this->Path);
+  test::VirtualSpnav daemon(this->Path);
   ASSERT_TRUE(this->Device->Open().IsOk());
   daemon.Accept();
   this->After(3);

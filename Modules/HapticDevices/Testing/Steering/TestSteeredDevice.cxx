@@ -66,7 +66,7 @@ TEST_F(SteeredDeviceTest, PushesAWallAsHardAsItsStickAndRestsOnRelease)
   Servo servo(this->Device, {});
   ContactLaw law;
   law.Stiffness = 1.0;
-  ASSERT_TRUE(servo.Publish(std::make_shared<TouchScene>(test::WallScene(-10.0, law))).IsOk());
+  ASSERT_TRUE(servo.Publish(std::make_shared<TouchScene>(test::WallScene(30.0, law))).IsOk());
   const auto pushed = [&](double deflection)
   {
     this->Input.Push = -deflection * Vector3::UnitZ();
@@ -80,7 +80,7 @@ TEST_F(SteeredDeviceTest, PushesAWallAsHardAsItsStickAndRestsOnRelease)
   EXPECT_NEAR(full, 4.0, 0.4);
   const double released = pushed(0.0);
   EXPECT_LT(released, 0.5) << "no more than friction holds";
-  EXPECT_LT(std::abs(Vector3(servo.Latest().ProbeWorld).z() + 10.0), 0.6);
+  EXPECT_LT(std::abs(Vector3(servo.Latest().ProbeWorld).z() - 30.0), 0.6);
   EXPECT_EQ(servo.Latest().Safety.Fault, SafetyFault::None);
 }
 
@@ -106,7 +106,7 @@ TEST_F(SteeredDeviceTest, UnpluggingFaultsWithinATick)
   Servo servo(this->Device, {});
   ContactLaw law;
   law.Stiffness = 1.0;
-  ASSERT_TRUE(servo.Publish(std::make_shared<TouchScene>(test::WallScene(2.0, law))).IsOk());
+  ASSERT_TRUE(servo.Publish(std::make_shared<TouchScene>(test::WallScene(40.0, law))).IsOk());
   this->Tick(servo, 600);
   ASSERT_GT(Vector3(servo.Latest().ForceWorld).norm(), 0.0);
   this->IsThere = false;

@@ -9,9 +9,9 @@
 
 namespace palpate
 {
-/// The few calls of SDL 2 (wiki.libsdl.org) for game controllers, from the user's library: it is
-/// opened when it is needed, so that nobody else has to have it. All calls of one controller are of
-/// one thread.
+/// The few calls of SDL 2 (wiki.libsdl.org) for game controllers and sound, from the user's
+/// library: it is opened when it is needed, so that nobody else has to have it. All calls of one
+/// controller are of one thread.
 class SdlLibrary
 {
 public:
@@ -45,7 +45,27 @@ public:
     this->RumbleController(controller, slow, fast, static_cast<std::uint32_t>(duration));
   }
 
+  /// Fills so many bytes with samples (float, one channel, from -1 to 1); SDL's own thread.
+  using Renderer = void (*)(void* owner, std::uint8_t* samples, int bytes);
+  /// Begins to play by the default output, `rate` samples a second, some 6 ms at a time. `player`
+  /// is what Silence takes; `owner` must live until then.
+  Status Play(int rate, Renderer renderer, void* owner, std::uint32_t& player) const;
+  /// Ends it; the renderer is not called any more.
+  void Silence(std::uint32_t player) const noexcept;
+
 private:
+  struct AudioSpec // of SDL
+  {
+    int Rate = 0;
+    std::uint16_t Format = 0;
+    std::uint8_t Channels = 0;
+    std::uint8_t Zero = 0;
+    std::uint16_t Samples = 0;
+    std::uint16_t Padding = 0;
+    std::uint32_t Size = 0;
+    void (*Callback)(void*, std::uint8_t*, int) = nullptr;
+    void* UserData = nullptr;
+  };
   SdlLibrary() = default;
   template <typename Function>
   void Find(void* library, const char* name, Function& function);
@@ -66,6 +86,9 @@ private:
   std::int16_t (*GetAxis)(void*, int) = nullptr;
   std::uint8_t (*GetButton)(void*, int) = nullptr;
   void (*UpdateControllers)() = nullptr;
+  std::uint32_t (*OpenAudio)(const char*, int, const AudioSpec*, AudioSpec*, int) = nullptr;
+  void (*PauseAudio)(std::uint32_t, int) = nullptr;
+  void (*CloseAudio)(std::uint32_t) = nullptr;
   int (*RumbleController)(void*, std::uint16_t, std::uint16_t, std::uint32_t) = nullptr;
 };
 } // namespace palpate

@@ -8,6 +8,8 @@ namespace palpate
 namespace
 {
 constexpr std::uint32_t ControllersOnly = 0x2000; // SDL_INIT_GAMECONTROLLER
+constexpr std::uint32_t AudioOnly = 0x10;         // SDL_INIT_AUDIO
+constexpr std::uint16_t Floats = 0x8120;          // AUDIO_F32LSB, which both of our processors have
 } // namespace
 
 template <typename Function>
@@ -33,6 +35,9 @@ void SdlLibrary::FindAll(void* library)
   this->Find(library, "SDL_GameControllerGetButton", this->GetButton);
   this->Find(library, "SDL_GameControllerUpdate", this->UpdateControllers);
   this->Find(library, "SDL_GameControllerRumble", this->RumbleController);
+  this->Find(library, "SDL_OpenAudioDevice", this->OpenAudio);
+  this->Find(library, "SDL_PauseAudioDevice", this->PauseAudio);
+  this->Find(library, "SDL_CloseAudioDevice", this->CloseAudio);
 }
 
 // It is never closed: SDL has threads of its own.
@@ -103,5 +108,37 @@ void* SdlLibrary::Open(int number) const
 double SdlLibrary::Axis(void* controller, int axis) const noexcept
 {
   return std::max(-1.0, this->GetAxis(controller, axis) / 32767.0);
+}
+
+Status SdlLibrary::Play(int rate, Renderer renderer, void* owner, std::uint32_t& player) const
+{
+  this->SetHint("SDL_NO_SIGNAL_HANDLERS", "1");
+  if (this->InitSubSystem(AudioOnly) != 0)
+  {
+    return Status::Failure(std::string("There is no sound output: ") + this->GetError());
+  }
+  AudioSpec wanted;
+  wanted.Rate = rate;
+  wanted.Format = Floats;
+  wanted.Channels = 1;
+  wanted.Samples = 256;
+  wanted.Callback = renderer;
+  wanted.UserData = owner;
+  // SDL converts to what the output takes.
+  player = this->OpenAudio(nullptr, 0, &wanted, nullptr, 0);
+  if (player == 0)
+  {
+    const std::string reason = this->GetError();
+    this->QuitSubSystem(AudioOnly);
+    return Status::Failure("There is no sound output: " + reason);
+  }
+  this->PauseAudio(player, 0);
+  return Status::Success();
+}
+
+void SdlLibrary::Silence(std::uint32_t player) const noexcept
+{
+  this->CloseAudio(player);
+  this->QuitSubSystem(AudioOnly);
 }
 } // namespace palpate
