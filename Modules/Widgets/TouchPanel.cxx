@@ -21,11 +21,11 @@ namespace
 // What a person calls a device; one with an argument has no other name.
 const QMap<QString, QString>& DeviceNames()
 {
-  static const QMap<QString, QString> names{{"simulated", "Mouse (no device)"},
-                                            {"falcon", "Novint Falcon"},
-                                            {"inverse3", "Haply Inverse3"},
-                                            {"controller", "Game controller"},
-                                            {"spacemouse", "SpaceMouse"}};
+  static const QMap<QString, QString> names{
+      {"simulated", "Mouse (no device)"},    {"falcon", "Novint Falcon"},
+      {"inverse3", "Haply Inverse3"},        {"openhaptics", "3D Systems Touch"},
+      {"forcedimension", "Force Dimension"}, {"controller", "Game controller"},
+      {"spacemouse", "SpaceMouse"}};
   return names;
 }
 

@@ -4,10 +4,25 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <functional>
+#include <thread>
 
 namespace palpate::test
 {
+/// Waits for a device in real time whose period is a busy machine's: until it measures anew.
+inline void AwaitSample(HapticDevice& device)
+{
+  DeviceSample sample;
+  device.Read(sample);
+  const std::uint64_t known = sample.Sequence;
+  for (int n = 0; n < 2000 && sample.Sequence == known; ++n)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    device.Read(sample);
+  }
+}
+
 /// Contract of every back end: checks a closed device that works. `wait` lets one of the device's
 /// periods pass.
 inline void ExpectDeviceContract(HapticDevice& device, const std::function<void()>& wait)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "DynamicLibrary.h"
 #include "Status.h"
 
 #include <cstdint>
@@ -67,12 +68,9 @@ private:
     void* UserData = nullptr;
   };
   SdlLibrary() = default;
-  template <typename Function>
-  void Find(void* library, const char* name, Function& function);
-  void FindAll(void* library);
+  void FindAll(DynamicLibrary& library);
   std::vector<int> Controllers() const;
 
-  bool IsWhole = true;
   int (*InitSubSystem)(std::uint32_t) = nullptr;
   void (*QuitSubSystem)(std::uint32_t) = nullptr;
   int (*SetHint)(const char*, const char*) = nullptr;

@@ -1,7 +1,6 @@
 #include "SdlLibrary.h"
 
 #include <algorithm>
-#include <dlfcn.h>
 
 namespace palpate
 {
@@ -12,44 +11,33 @@ constexpr std::uint32_t AudioOnly = 0x10;         // SDL_INIT_AUDIO
 constexpr std::uint16_t Floats = 0x8120;          // AUDIO_F32LSB, which both of our processors have
 } // namespace
 
-template <typename Function>
-void SdlLibrary::Find(void* library, const char* name, Function& function)
+void SdlLibrary::FindAll(DynamicLibrary& library)
 {
-  function = reinterpret_cast<Function>(dlsym(library, name));
-  this->IsWhole = this->IsWhole && function != nullptr;
+  library.Find("SDL_InitSubSystem", this->InitSubSystem);
+  library.Find("SDL_QuitSubSystem", this->QuitSubSystem);
+  library.Find("SDL_SetHint", this->SetHint);
+  library.Find("SDL_GetError", this->GetError);
+  library.Find("SDL_NumJoysticks", this->NumJoysticks);
+  library.Find("SDL_IsGameController", this->IsController);
+  library.Find("SDL_GameControllerNameForIndex", this->NameOfIndex);
+  library.Find("SDL_GameControllerOpen", this->OpenController);
+  library.Find("SDL_GameControllerClose", this->CloseController);
+  library.Find("SDL_GameControllerGetAttached", this->GetAttached);
+  library.Find("SDL_GameControllerGetAxis", this->GetAxis);
+  library.Find("SDL_GameControllerGetButton", this->GetButton);
+  library.Find("SDL_GameControllerUpdate", this->UpdateControllers);
+  library.Find("SDL_GameControllerRumble", this->RumbleController);
+  library.Find("SDL_OpenAudioDevice", this->OpenAudio);
+  library.Find("SDL_PauseAudioDevice", this->PauseAudio);
+  library.Find("SDL_CloseAudioDevice", this->CloseAudio);
 }
 
-void SdlLibrary::FindAll(void* library)
-{
-  this->Find(library, "SDL_InitSubSystem", this->InitSubSystem);
-  this->Find(library, "SDL_QuitSubSystem", this->QuitSubSystem);
-  this->Find(library, "SDL_SetHint", this->SetHint);
-  this->Find(library, "SDL_GetError", this->GetError);
-  this->Find(library, "SDL_NumJoysticks", this->NumJoysticks);
-  this->Find(library, "SDL_IsGameController", this->IsController);
-  this->Find(library, "SDL_GameControllerNameForIndex", this->NameOfIndex);
-  this->Find(library, "SDL_GameControllerOpen", this->OpenController);
-  this->Find(library, "SDL_GameControllerClose", this->CloseController);
-  this->Find(library, "SDL_GameControllerGetAttached", this->GetAttached);
-  this->Find(library, "SDL_GameControllerGetAxis", this->GetAxis);
-  this->Find(library, "SDL_GameControllerGetButton", this->GetButton);
-  this->Find(library, "SDL_GameControllerUpdate", this->UpdateControllers);
-  this->Find(library, "SDL_GameControllerRumble", this->RumbleController);
-  this->Find(library, "SDL_OpenAudioDevice", this->OpenAudio);
-  this->Find(library, "SDL_PauseAudioDevice", this->PauseAudio);
-  this->Find(library, "SDL_CloseAudioDevice", this->CloseAudio);
-}
-
-// It is never closed: SDL has threads of its own.
 Status SdlLibrary::Load(std::shared_ptr<const SdlLibrary>& made)
 {
-  void* const library = dlopen("libSDL2-2.0.so.0", RTLD_NOW | RTLD_LOCAL);
+  DynamicLibrary library("PALPATE_LIBSDL2", {"libSDL2-2.0.so.0"});
   std::shared_ptr<SdlLibrary> loaded(new SdlLibrary);
-  if (library != nullptr)
-  {
-    loaded->FindAll(library);
-  }
-  if (library == nullptr || !loaded->IsWhole)
+  loaded->FindAll(library);
+  if (!library.IsWhole())
   {
     return Status::Failure("SDL 2 is not installed, or too old: install libsdl2-2.0-0.");
   }
