@@ -183,7 +183,8 @@ private:
     }
     for (const SceneStructure& structure : this->Asked.Structures)
     {
-      std::vector<std::filesystem::path> named{structure.File, structure.WithinFile};
+      std::vector<std::filesystem::path> named{structure.File, structure.WithinFile,
+                                               structure.Move.File, structure.Move.Fixed};
       for (const auto& [key, image] : structure.Images)
       {
         named.push_back(image);

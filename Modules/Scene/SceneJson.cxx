@@ -118,6 +118,16 @@ void ExchangeWithinLabel(JsonFields& fields, SceneStructure& structure)
   structure.WithinLabel = labels.empty() ? std::string() : labels.front();
 }
 
+// Written only if set, so that earlier versions read all other scenes.
+void ExchangeMove(JsonFields& fields, SceneMove& move)
+{
+  fields.ExchangeIfSet("transform", move.File);
+  fields.ExchangeIfSet("transform_fixed", move.Fixed);
+  fields.Require(move.IsSet() || move.Fixed.empty(),
+                 "gives " + fields.Place() + " \"transform_fixed\" without \"transform\"",
+                 "give both, or remove it");
+}
+
 // Only an iso-value is limited or chooses a series.
 void ExchangeLimits(JsonFields& fields, SceneStructure& structure)
 {
@@ -148,6 +158,7 @@ void ExchangeSource(JsonFields& fields, SceneStructure& structure)
   fields.ExchangeIfSet("label", structure.Labels);
   fields.Exchange("iso", structure.Iso, -LargestIso, LargestIso);
   ExchangeLimits(fields, structure);
+  ExchangeMove(fields, structure.Move);
 }
 
 void ExchangeStructure(JsonFields& fields, SceneStructure& structure)

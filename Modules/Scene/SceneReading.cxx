@@ -24,6 +24,21 @@ std::string StampIn(const SceneStamps& stamps, const std::filesystem::path& file
   return found != stamps.end() ? found->second : std::string();
 }
 
+// Of a file that is moved.
+std::string MovedKey(std::string key, const SceneMove& move, const SceneStamps& stamps)
+{
+  return move.IsSet() ? SceneKey(key, "moved", move.File, StampIn(stamps, move.File), move.Fixed,
+                                 StampIn(stamps, move.Fixed))
+                      : key;
+}
+
+// What was read from a file, where it belongs.
+template <typename T>
+T Placed(T read, const SceneMove& move, const std::filesystem::path& file)
+{
+  return move.IsSet() ? T(Moved(ReadMove(move, file), std::move(read))) : read;
+}
+
 // Reading cannot be interrupted; it is not started if cancelled before.
 template <typename Read>
 SceneNode ReadingNode(SceneStep step, const std::filesystem::path& file, std::string key,
@@ -64,36 +79,48 @@ std::string TissueOf(const ModelProvenance& provenance)
 } // namespace
 
 SceneNode VolumeNode(const std::filesystem::path& file, const std::string& series,
-                     LeftHandedAxes leftHanded, const SceneStamps& stamps)
+                     LeftHandedAxes leftHanded, const SceneStamps& stamps, const SceneMove& move)
 {
   const VolumeChoice choice{series, leftHanded};
+  const std::string key =
+      SceneKey("volume", file, StampIn(stamps, file), series, static_cast<int>(leftHanded));
   return ReadingNode(
-      SceneStep::Volume, file,
-      SceneKey("volume", file, StampIn(stamps, file), series, static_cast<int>(leftHanded)),
-      [file, choice] { return std::make_shared<const Volume>(ReadVolume(file, choice)); });
+      SceneStep::Volume, file, MovedKey(key, move, stamps),
+      [file, choice, move]
+      { return std::make_shared<const Volume>(Placed(ReadVolume(file, choice), move, file)); });
 }
 
 SceneNode SegmentationNode(const std::filesystem::path& file, LeftHandedAxes leftHanded,
-                           const SceneStamps& stamps)
+                           const SceneStamps& stamps, const SceneMove& move)
 {
-  return ReadingNode(
-      SceneStep::Segmentation, file,
-      SceneKey("segmentation", file, StampIn(stamps, file), static_cast<int>(leftHanded)),
-      [file, leftHanded]
-      { return std::make_shared<const Segmentation>(ReadSegmentation(file, leftHanded)); });
+  const std::string key =
+      SceneKey("segmentation", file, StampIn(stamps, file), static_cast<int>(leftHanded));
+  return ReadingNode(SceneStep::Segmentation, file, MovedKey(key, move, stamps),
+                     [file, leftHanded, move]
+                     {
+                       return std::make_shared<const Segmentation>(
+                           Placed(ReadSegmentation(file, leftHanded), move, file));
+                     });
 }
 
-SceneNode ModelNode(const std::filesystem::path& file, const SceneStamps& stamps)
+SceneNode ModelNode(const std::filesystem::path& file, const SceneStamps& stamps,
+                    const SceneMove& move)
 {
-  return ReadingNode(SceneStep::Model, file, SceneKey("model", file, StampIn(stamps, file)),
-                     [file]
+  return ReadingNode(SceneStep::Model, file,
+                     MovedKey(SceneKey("model", file, StampIn(stamps, file)), move, stamps),
+                     [file, move]
                      {
                        FitResult result;
                        result.Input = file;
                        result.CaseName = CaseNameOf(file);
                        result.State = FitResult::Outcome::Fitted;
                        ModelDocument document = ReadModel(file);
-                       result.Model = std::move(document.Surface);
+                       if (move.IsSet() && document.Elasticity != nullptr)
+                       {
+                         Refuse(file, "yields, so it cannot be moved by a transform",
+                                "soften it again after palpate convert --transform");
+                       }
+                       result.Model = Placed(std::move(document.Surface), move, file);
                        result.Elasticity = std::move(document.Elasticity);
                        result.Tissue = TissueOf(document.Provenance);
                        constexpr int Frequency = 20;
@@ -102,15 +129,17 @@ SceneNode ModelNode(const std::filesystem::path& file, const SceneStamps& stamps
                      });
 }
 
-SceneNode SurfaceNode(const std::filesystem::path& file, const SceneStamps& stamps)
+SceneNode SurfaceNode(const std::filesystem::path& file, const SceneStamps& stamps,
+                      const SceneMove& move)
 {
-  return ReadingNode(SceneStep::Surface, file, SceneKey("surface", file, StampIn(stamps, file)),
-                     [file]
+  return ReadingNode(SceneStep::Surface, file,
+                     MovedKey(SceneKey("surface", file, StampIn(stamps, file)), move, stamps),
+                     [file, move]
                      {
                        FitSurface surface;
                        surface.Found.Input = file;
                        surface.Found.CaseName = CaseNameOf(file);
-                       surface.Found.Surface = ReadSurface(file);
+                       surface.Found.Surface = Placed(ReadSurface(file), move, file);
                        return std::make_shared<const FitSurface>(std::move(surface));
                      });
 }

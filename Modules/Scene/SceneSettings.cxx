@@ -14,7 +14,7 @@ namespace
 auto Fields(const SceneStructure& s)
 {
   return std::tie(s.Id, s.Name, s.File, s.Labels, s.Iso, s.IsoUpper, s.WithinFile, s.WithinLabel,
-                  s.Series, s.IsVisible, s.IsTouchable, s.Color, s.Opacity, s.Appearance,
+                  s.Series, s.Move, s.IsVisible, s.IsTouchable, s.Color, s.Opacity, s.Appearance,
                   s.Representation, s.Degree, s.Mode, s.Interpolation, s.Smoothing, s.KeepsCuts,
                   s.Stiffness, s.Damping, s.Friction.Static, s.Friction.Dynamic, s.Numbers,
                   s.Images, s.Drill.Wear, s.Drill.Drag, s.Drill.Vibration, s.IsForbidden,

@@ -7,6 +7,7 @@
 #include "LeftHandedAxes.h"
 #include "OrganContact.h"
 #include "PalpateSceneModule.h"
+#include "SceneMove.h"
 #include "SurfaceFriction.h"
 #include "TouchToolSettings.h"
 
@@ -74,6 +75,7 @@ struct SceneStructure
   std::filesystem::path WithinFile; ///< limits it to a label of this segmentation
   std::string WithinLabel;          ///< number or name of that label
   std::string Series;               ///< of the image, as in VolumeChoice
+  SceneMove Move;                   ///< of all its files
 
   /// If a structure is neither displayed nor touched nor forbidden, nothing is made and its file is
   /// not opened.

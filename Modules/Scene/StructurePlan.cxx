@@ -150,12 +150,14 @@ std::string StructurePlan::AddSegmentation()
 
 std::string StructurePlan::AddSegmentationOf(const SceneStructure& other)
 {
-  return this->Share(SegmentationNode(other.File, this->Scene.LeftHanded, this->Stamps), other.Id);
+  return this->Share(SegmentationNode(other.File, this->Scene.LeftHanded, this->Stamps, other.Move),
+                     other.Id);
 }
 
 std::string StructurePlan::AddImage(const std::filesystem::path& file, const std::string& series)
 {
-  SceneNode node = VolumeNode(file, series, this->Scene.LeftHanded, this->Stamps);
+  SceneNode node =
+      VolumeNode(file, series, this->Scene.LeftHanded, this->Stamps, this->Structure.Move);
   node.Step = SceneStep::Image;
   return this->Share(std::move(node), this->Structure.Id);
 }
@@ -173,7 +175,7 @@ std::string StructurePlan::AddIsoImage()
   if (!own.WithinFile.empty())
   {
     inputs.push_back(this->Share(
-        SegmentationNode(own.WithinFile, this->Scene.LeftHanded, this->Stamps), own.Id));
+        SegmentationNode(own.WithinFile, this->Scene.LeftHanded, this->Stamps, own.Move), own.Id));
   }
   const std::string limit = own.IsoUpper ? SceneKey("to", *own.IsoUpper) : std::string();
   const std::string key =
@@ -208,7 +210,7 @@ std::string StructurePlan::AddSurface()
 {
   if (this->Source == SceneSource::Surface)
   {
-    return this->AddFile(SurfaceNode(this->Structure.File, this->Stamps));
+    return this->AddFile(SurfaceNode(this->Structure.File, this->Stamps, this->Structure.Move));
   }
   if (this->Source == SceneSource::IsoValue)
   {
@@ -255,7 +257,7 @@ std::string StructurePlan::AddModel()
 {
   if (this->Source == SceneSource::Model)
   {
-    return this->AddFile(ModelNode(this->Structure.File, this->Stamps));
+    return this->AddFile(ModelNode(this->Structure.File, this->Stamps, this->Structure.Move));
   }
   const std::string samples = this->AddSamples();
   const FitSettings& fit = this->Fit;

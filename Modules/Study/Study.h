@@ -21,6 +21,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace palpate
 {
@@ -31,6 +32,7 @@ struct StudyThreshold
   std::optional<double> Upper;
   int WithinId = 0; ///< the structure, a label of a segmentation, that limits it; 0: none
   std::string Name; ///< empty: after its values
+  int VolumeId = 0; ///< a further volume (see StudyVolume); 0: the first one
 };
 
 /// An open study: its state with undo and redo, its products, and its touch. One thread only, a
@@ -135,6 +137,12 @@ public:
   void FitWorkspace();
   /// Sets the device's axes in the world, if the placement makes them follow the camera.
   void TurnAxes(const Matrix3& rotation);
+  /// See StudyTouch::Hold.
+  void Hold(std::shared_ptr<const ForceField> field)
+  {
+    this->Felt.Hold(std::move(field));
+    this->FollowByTouch();
+  }
   /// Reads a drilled state in the background, then restores it, interrupting touch; a stroke that
   /// can be undone. `fail` gets the message if it cannot be read or does not fit.
   void OpenDrilled(const std::filesystem::path& file,

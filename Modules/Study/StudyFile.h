@@ -16,7 +16,8 @@ constexpr const char* StudyEnding = ".palpate.json";
 /// A missing file that a state names.
 struct StudyMissingFile
 {
-  std::string Role; ///< "volume", "segmentation", "tool", "prior", "structure" or an image's key
+  std::string Role; ///< "volume", "segmentation", "tool", "prior", "transform", "structure" or an
+                    ///< image's key
   std::filesystem::path Path;
 };
 

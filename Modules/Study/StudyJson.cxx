@@ -113,6 +113,7 @@ void ExchangeVolume(JsonFields& fields, StudyVolume& volume)
   fields.Exchange("file", volume.File);
   fields.Require(!volume.File.empty(), "has a volume without a file", "name its file");
   fields.ExchangeIfSet("dicom_series", volume.Series);
+  fields.ExchangeIfSet("transform", volume.Transform);
   fields.Exchange("seen", volume.IsVisible);
   fields.Exchange("window", volume.Window, 0.0, LargestIntensity);
   fields.Exchange("level", volume.Level, -LargestIntensity, LargestIntensity);

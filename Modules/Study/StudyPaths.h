@@ -16,11 +16,14 @@ void ForEachPath(State& state, const Function& visit)
   for (auto& volume : state.Volumes)
   {
     visit("volume", volume.File);
+    visit("transform", volume.Transform);
   }
   for (auto& structure : state.Structures)
   {
     visit("structure", structure.File);
     visit("segmentation", structure.WithinFile);
+    visit("transform", structure.Move.File);
+    visit("volume", structure.Move.Fixed);
     for (auto& [key, image] : structure.Images)
     {
       visit(key.c_str(), image);

@@ -32,7 +32,8 @@ std::vector<SceneNode> PlanStudy(const StudyState& state, const SceneStamps& sta
   {
     if (volume.IsVisible)
     {
-      nodes.push_back(VolumeNode(volume.File, volume.Series, state.LeftHanded, stamps));
+      nodes.push_back(
+          VolumeNode(volume.File, volume.Series, state.LeftHanded, stamps, MoveOf(state, volume)));
       nodes.back().Id = volume.Id;
     }
   }

@@ -20,8 +20,8 @@ auto Fields(const StudyView& v)
 
 auto Fields(const StudyVolume& v)
 {
-  return std::tie(v.Id, v.File, v.Series, v.IsVisible, v.Window, v.Level, v.Colors, v.Opacity,
-                  v.HidesBelow, v.Rendering);
+  return std::tie(v.Id, v.File, v.Series, v.Transform, v.IsVisible, v.Window, v.Level, v.Colors,
+                  v.Opacity, v.HidesBelow, v.Rendering);
 }
 
 auto Fields(const StudyState& s)
@@ -67,6 +67,45 @@ const StudyVolume* FindVolume(const StudyState& state, int id)
 StudyVolume* FindVolume(StudyState& state, int id)
 {
   return const_cast<StudyVolume*>(FindVolume(static_cast<const StudyState&>(state), id));
+}
+
+SceneMove MoveOf(const StudyState& state, const StudyVolume& volume)
+{
+  return volume.Transform.empty() ? SceneMove{} : SceneMove{volume.Transform, state.VolumeFile};
+}
+
+StudyState WithTransform(const StudyState& state, int volumeId,
+                         const std::filesystem::path& transform)
+{
+  StudyState next = state;
+  StudyVolume& volume = *FindVolume(next, volumeId);
+  const SceneMove before = MoveOf(next, volume);
+  volume.Transform = StudyPath(transform);
+  if (MoveOf(next, volume).IsSet())
+  {
+    ReadMove(MoveOf(next, volume), volume.File);
+  }
+  for (SceneStructure& structure : next.Structures)
+  {
+    const bool isOfVolume = structure.Iso && structure.File == volume.File &&
+                            structure.Series == volume.Series && structure.Move == before;
+    structure.Move = isOfVolume ? MoveOf(next, volume) : structure.Move;
+  }
+  return next;
+}
+
+StudyState WithNextVolume(const StudyState& state)
+{
+  StudyState next = state;
+  const auto shown = std::find_if(next.Volumes.begin(), next.Volumes.end(),
+                                  [](const StudyVolume& one) { return one.IsVisible; });
+  const auto after = shown != next.Volumes.end() ? std::next(shown) : next.Volumes.begin();
+  const auto number = after - next.Volumes.begin();
+  for (auto one = next.Volumes.begin(); one != next.Volumes.end(); ++one)
+  {
+    one->IsVisible = one - next.Volumes.begin() == number;
+  }
+  return next;
 }
 
 std::filesystem::path StudyPath(const std::filesystem::path& file)

@@ -32,12 +32,13 @@ struct StudyRendering
 /// A further volume, which slices show over the first one. It may have any grid.
 struct StudyVolume
 {
-  int Id = 0;                   ///< unique in a study, from 1
-  std::filesystem::path File;   ///< or the folder of a DICOM series
-  std::string Series;           ///< see VolumeChoice
-  bool IsVisible = true;        ///< if not, it is not read
-  std::optional<double> Window; ///< intensity window width; none: by the volume
-  std::optional<double> Level;  ///< intensity window centre
+  int Id = 0;                      ///< unique in a study, from 1
+  std::filesystem::path File;      ///< or the folder of a DICOM series
+  std::string Series;              ///< see VolumeChoice
+  std::filesystem::path Transform; ///< moves it onto the first one (see ReadTransform); or empty
+  bool IsVisible = true;           ///< if not, it is not read
+  std::optional<double> Window;    ///< intensity window width; none: by the volume
+  std::optional<double> Level;     ///< intensity window centre
   VolumeColors Colors = VolumeColors::Grey;
   double Opacity = 0.5;    ///< of a blend, 0..1
   bool HidesBelow = false; ///< values up to the window's low end are transparent
@@ -96,6 +97,19 @@ inline bool operator!=(const StudyState& a, const StudyState& b)
 /// The further volume of this id, or null.
 PALPATESTUDY_EXPORT StudyVolume* FindVolume(StudyState& state, int id);
 PALPATESTUDY_EXPORT const StudyVolume* FindVolume(const StudyState& state, int id);
+
+/// How a further volume is moved, and structures of its values with it.
+PALPATESTUDY_EXPORT SceneMove MoveOf(const StudyState& state, const StudyVolume& volume);
+
+/// The state with another transform of a further volume and of the structures that are of the same
+/// image and were moved as it; an empty one leaves it where its file says. Throws InputError as
+/// ReadMove does.
+PALPATESTUDY_EXPORT StudyState WithTransform(const StudyState& state, int volumeId,
+                                             const std::filesystem::path& transform);
+
+/// The state that shows one further volume over the first one, the next of the list; none after the
+/// last one: for points in time, one by one.
+PALPATESTUDY_EXPORT StudyState WithNextVolume(const StudyState& state);
 
 /// A path as stored in a state: absolute, so that it is independent of the working directory; empty
 /// stays empty.

@@ -232,6 +232,12 @@ SceneStructure ThresholdStructure(const StudyState& state, const StudyThreshold&
   SceneStructure structure;
   structure.File = state.VolumeFile;
   structure.Series = state.DicomSeries;
+  if (const StudyVolume* further = FindVolume(state, threshold.VolumeId))
+  {
+    structure.File = further->File;
+    structure.Series = further->Series;
+    structure.Move = MoveOf(state, *further);
+  }
   structure.Iso = threshold.Lower;
   structure.IsoUpper = threshold.Upper;
   structure.Name = "iso " + SignificantText(threshold.Lower, 6);
@@ -242,6 +248,10 @@ SceneStructure ThresholdStructure(const StudyState& state, const StudyThreshold&
     if (mask == nullptr || mask->Source() != SceneSource::Label || mask->Labels.size() != 1)
     {
       throw InputError("only a label of a segmentation can limit a structure");
+    }
+    if (mask->Move != structure.Move)
+    {
+      throw InputError("only a label that is moved as the volume can limit a structure of it");
     }
     structure.WithinFile = mask->File;
     structure.WithinLabel = mask->Labels.front();
@@ -261,6 +271,7 @@ SceneSettings ReadWholeScene(const std::filesystem::path& file, LeftHandedAxes l
   {
     structure.File = StudyPath(structure.File);
     structure.WithinFile = StudyPath(structure.WithinFile);
+    structure.Move = {StudyPath(structure.Move.File), StudyPath(structure.Move.Fixed)};
     for (auto& [key, image] : structure.Images)
     {
       image = StudyPath(image);

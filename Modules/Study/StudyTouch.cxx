@@ -29,7 +29,7 @@ bool StudyTouch::IsSame(const Feelable& a, const Feelable& b)
            one.Friction.Dynamic == other.Friction.Dynamic && one.Numbers == other.Numbers;
   };
   return a.Tool == b.Tool && a.Guides == b.Guides && a.Distances == b.Distances &&
-         a.Frame == b.Frame && a.DrillRevision == b.DrillRevision &&
+         a.Held == b.Held && a.Frame == b.Frame && a.DrillRevision == b.DrillRevision &&
          std::equal(a.Contacts.begin(), a.Contacts.end(), b.Contacts.begin(), b.Contacts.end(),
                     isSameContact) &&
          std::equal(a.Structures.begin(), a.Structures.end(), b.Structures.begin(),
@@ -69,6 +69,7 @@ void StudyTouch::Stop()
 {
   this->Session.Stop();
   this->Drilled.Finish();
+  this->Held.reset();
   const TouchSessionReading& last = this->Session.Poll();
   this->Reading = {};
   this->Reading.RecordedTicks = last.RecordedTicks;
@@ -139,6 +140,7 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
     next.Tool = state.Tool;
     next.Guides = state.Guides;
     next.Distances = this->Distances;
+    next.Held = this->Held;
     next.DrillRevision = this->Drilled.Revision();
     const SceneEntry entry = this->Automatic ? SceneEntry::Continuing : SceneEntry::FadeIn;
     next.Frame = this->FrameFor(state.Placement, scene);
@@ -151,6 +153,11 @@ Status StudyTouch::PublishAll(const StudyState& state, const std::vector<SceneCo
     if (this->Session.Scene() != nullptr && IsSame(next, this->Felt))
     {
       return Status::Success();
+    }
+    if (this->Held != nullptr)
+    {
+      scene.Structures.clear();
+      scene.Fields = {this->Held};
     }
     std::vector<std::string> advice =
         StiffnessWarnings(scene, this->Capabilities(), this->Settings.Rate);

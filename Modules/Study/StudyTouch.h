@@ -104,6 +104,9 @@ public:
   void Forbid(std::vector<StudyForbidden> forbidden) { this->Forbidden = std::move(forbidden); }
   /// Sets the distances to structures that guide from the next Start or Update on.
   void Guide(GuideDistances distances) { this->Distances = std::move(distances); }
+  /// From the next Update on a device feels only this field, as of an organ that it holds, and no
+  /// structure; null, and after Stop: structures again.
+  void Hold(std::shared_ptr<const ForceField> field) { this->Held = std::move(field); }
   /// Drilling; its state is kept when a touch ends.
   StudyDrill& Drill() { return this->Drilled; }
   const StudyDrill& Drill() const { return this->Drilled; }
@@ -136,6 +139,7 @@ private:
     std::uint64_t DrillRevision = 0;
     std::vector<GuideSettings> Guides;
     GuideDistances Distances;
+    std::shared_ptr<const ForceField> Held;
     TouchToolSettings Tool;
     WorkspaceFrame Frame;
   };
@@ -153,6 +157,7 @@ private:
   StudyDrill Drilled;
   std::vector<StudyForbidden> Forbidden;
   GuideDistances Distances;
+  std::shared_ptr<const ForceField> Held;
   Feelable Felt;
   Matrix3 CameraAxes = Matrix3::Identity();
   std::optional<WorkspaceFrame> Automatic;

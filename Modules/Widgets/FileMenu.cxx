@@ -159,7 +159,7 @@ void FileMenu::OpenAny(const QString& title, const QString& filter)
 }
 
 // Beside the window, in which the slices show the values that are chosen.
-void FileMenu::AddFromValues()
+void FileMenu::AddFromValuesOf(int volumeId)
 {
   auto* open = this->Window->findChild<ThresholdDialog*>();
   if (open != nullptr && open->isVisible())
@@ -168,13 +168,13 @@ void FileMenu::AddFromValues()
     open->activateWindow();
     return;
   }
-  if (this->Study.Current().Pipeline().Newest<Volume>(SceneStep::Volume) == nullptr)
+  if (this->Study.Current().Pipeline().Newest<Volume>(SceneStep::Volume, volumeId) == nullptr)
   {
     this->Study.Report(
         "There is no volume to take values of: open one, and wait until it is read.");
     return;
   }
-  auto* dialog = new ThresholdDialog(this->Study, this->Contents.Images(), this->Window);
+  auto* dialog = new ThresholdDialog(this->Study, this->Contents.Images(), this->Window, volumeId);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->show();
 }

@@ -31,7 +31,9 @@ public:
   /// Asks for a folder of DICOM slices, and opens it.
   void OpenFolder();
   /// Opens the dialog that adds a structure from image values.
-  void AddFromValues();
+  void AddFromValues() { this->AddFromValuesOf(0); }
+  /// The same, from the values of a further volume; 0: the first one.
+  void AddFromValuesOf(int volumeId);
   void OpenRecent(const QString& file);
   /// Shows the window of a cohort.
   CohortWindow* OpenCohort();

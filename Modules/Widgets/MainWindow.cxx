@@ -185,7 +185,9 @@ void MainWindow::MakeColumn()
   connect(touch, &TouchPanel::RecordAsked, this->Touching, &TouchMenu::ToggleRecording);
   touch->AddTools({this->Touching->MoveWorkspace(), this->Touching->FitWorkspace()});
   structures->AddAdding(this->Files->Adding());
-  this->AddSection("Data", new VolumePanel(this->Study, this->Shown, this), true);
+  auto* volumes = new VolumePanel(this->Study, this->Shown, this->Questions, this);
+  connect(volumes, &VolumePanel::ValuesAsked, this->Files, &FileMenu::AddFromValuesOf);
+  this->AddSection("Data", volumes, true);
   this->AddSection("Structures", structures, true);
   auto* model = new QWidget(this);
   auto* options = new QVBoxLayout(model);
@@ -244,7 +246,9 @@ void MainWindow::MakePanels()
   this->tabifyDockWidget(marks, related);
   QDockWidget* checked = this->MakeCheck();
   this->tabifyDockWidget(related, checked);
-  this->tabifyDockWidget(checked, this->MakeDrawing());
+  QDockWidget* drawn = this->MakeDrawing();
+  this->tabifyDockWidget(checked, drawn);
+  this->tabifyDockWidget(drawn, this->MakeMatching());
   this->resizeDocks({plots}, {BottomHeight}, Qt::Vertical);
   connect(this->Marks->Tool(), &QAction::toggled, this,
           [marks](bool isOn)
@@ -256,7 +260,8 @@ void MainWindow::MakePanels()
             }
           });
   this->Touching->addAction(this->Marks->TouchTool());
-  this->Touching->addActions({this->Drawing->Mode(), this->Drawing->TouchTool()});
+  this->Touching->addActions({this->Drawing->Mode(), this->Drawing->TouchTool(),
+                              this->Matching->Mode(), this->Matching->HoldTool()});
   // In the views only: elsewhere these keys end an input.
   for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
   {
@@ -307,18 +312,45 @@ QDockWidget* MainWindow::MakeDrawing()
   return dock;
 }
 
+QDockWidget* MainWindow::MakeMatching()
+{
+  this->Matching = new MatchingLink(this->Study, this->Shown, *this->Grid, this);
+  QDockWidget* dock =
+      this->AddPanel("Held organ", new MatchingPanel(this->Study, this->Shown, *this->Matching,
+                                                         this->Questions, this));
+  connect(this->Matching->Mode(), &QAction::toggled, dock,
+          [dock](bool isOn)
+          {
+            if (isOn)
+            {
+              dock->show();
+              dock->raise();
+            }
+          });
+  return dock;
+}
+
+std::array<QAction*, 3> MainWindow::Modes() const
+{
+  return {this->Marks->Tool(), this->Drawing->Mode(), this->Matching->Mode()};
+}
+
 // One mode of the mouse at a time.
 void MainWindow::TakeMode(QAction* mode, bool isOn)
 {
-  for (QAction* other : {this->Marks->Tool(), this->Drawing->Mode()})
+  for (QAction* other : this->Modes())
   {
     if (isOn && other != mode)
     {
       other->setChecked(false);
     }
   }
-  this->findChild<TouchLink*>()->LeaveClicks(this->Marks->IsAdding() ||
-                                             this->Drawing->Mode()->isChecked());
+  const bool areStrokes = this->Drawing->Mode()->isChecked() || this->Matching->Mode()->isChecked();
+  for (const SliceOrientation orientation : AllSliceOrientations)
+  {
+    this->Grid->Slice(orientation)->SetStrokes(areStrokes);
+  }
+  this->findChild<TouchLink*>()->LeaveClicks(this->Marks->IsAdding() || areStrokes);
 }
 
 void MainWindow::LookAtPlace(const Vector3& place)
@@ -350,7 +382,12 @@ void MainWindow::ConnectViews()
   this->Shown.Images()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
   new StructureLink(
       *this->findChild<StructuresPanel*>(), this->Shown, *this->Grid,
-      [this] { return !this->Marks->IsAdding() && !this->Drawing->Mode()->isChecked(); }, this);
+      [this]
+      {
+        return !this->Marks->IsAdding() && !this->Drawing->Mode()->isChecked() &&
+               !this->Matching->Mode()->isChecked();
+      },
+      this);
   new VolumeRenderingLink(this->Study, this->Shown, *this->Grid->Space(), this);
   auto* link = new TouchLink(this->Study, this->Shown, *this->Grid, this);
   connect(this->Touching, &TouchMenu::WorkspaceShown, link, &TouchLink::ShowWorkspace);
@@ -358,15 +395,17 @@ void MainWindow::ConnectViews()
   this->Grid->Space()->PushAlongSight(this->Touching->PushAlongSight()->isChecked());
   connect(this->Touching->PushAlongSight(), &QAction::toggled, this->Grid->Space(),
           &SpacePane::PushAlongSight);
-  for (QAction* mode : {this->Marks->Tool(), this->Drawing->Mode()})
+  for (QAction* mode : this->Modes())
   {
     connect(mode, &QAction::toggled, this, [this, mode](bool isOn) { this->TakeMode(mode, isOn); });
   }
   connect(link, &TouchLink::Escaped, this,
           [this]
           {
-            this->Marks->Tool()->setChecked(false);
-            this->Drawing->Mode()->setChecked(false);
+            for (QAction* mode : this->Modes())
+            {
+              mode->setChecked(false);
+            }
             this->Touching->MoveWorkspace()->setChecked(false);
           });
   link->SoundAlarms(this->Touching->AlarmSound()->isChecked());

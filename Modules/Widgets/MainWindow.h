@@ -5,6 +5,7 @@
 #include "FileQuestions.h"
 #include "KeyBindings.h"
 #include "LandmarksPanel.h"
+#include "MatchingPanel.h"
 #include "MessageArea.h"
 #include "Preferences.h"
 #include "RecoveryLink.h"
@@ -20,6 +21,7 @@
 #include <QDockWidget>
 #include <QMainWindow>
 
+#include <array>
 #include <memory>
 
 namespace palpate
@@ -62,6 +64,8 @@ private:
   QDockWidget* AddPanel(const QString& title, QWidget* panel);
   QDockWidget* MakeCheck();
   QDockWidget* MakeDrawing();
+  QDockWidget* MakeMatching();
+  std::array<QAction*, 3> Modes() const; ///< of the mouse
   void TakeMode(QAction* mode, bool isOn);
   void ShowState();
   void ShowTitle();
@@ -90,6 +94,7 @@ private:
   LandmarksPanel* Marks = nullptr;
   DrawingLink* Drawing = nullptr;
   DrawingPanel* Drawn = nullptr;
+  MatchingLink* Matching = nullptr;
   QMenu* Panels = nullptr;
   QAction* Undo = nullptr;
   QAction* Redo = nullptr;

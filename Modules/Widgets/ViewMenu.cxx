@@ -71,6 +71,10 @@ void ViewMenu::AddMouse()
   this->addAction(
       "&Reset window and level", this, [this] { this->Contents.Images()->ResetWindowLevel(); },
       QKeySequence("Shift+W"));
+  this->addAction(
+      "Next &volume over the first", this,
+      [this] { this->Study.Change("Show the next volume", WithNextVolume(this->Study.State())); },
+      QKeySequence("Shift+N"));
   QAction* fit = this->addAction(
       "Fit &all views", this, [this] { this->Views.FitAll(); }, QKeySequence("Ctrl+R"));
   fit->setIcon(ToolIcon(ToolSign::Fit));

@@ -55,7 +55,8 @@ QLabel* MakeWrappedText(const char* name, QWidget* parent)
 }
 } // namespace
 
-VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, QWidget* parent)
+VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents,
+                         const FileQuestions& questions, QWidget* parent)
     : QWidget(parent), Study(study), Contents(contents), Images(contents.Images()),
       VolumeText(MakeWrappedText("volume-name", this)),
       LabelsText(MakeWrappedText("labels-name", this)), Volumes(new VolumeList(study, this)),
@@ -63,6 +64,7 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
       Preset(new QComboBox(this)), Colors(new QComboBox(this)),
       Opacity(new QSlider(Qt::Horizontal, this)),
       HidesBelow(new QCheckBox("Transparent below the window", this)), OfOverlay(new QWidget(this)),
+      Moving(new VolumeTransformRow(study, *Volumes, questions, OfOverlay)),
       InSpace(new VolumeRenderingRow(study, *Volumes, this))
 {
   this->Width->setMinimum(0.0);
@@ -91,6 +93,7 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
   ofOverlay->addRow("Colours", this->Colors);
   ofOverlay->addRow("Opacity", this->Opacity);
   ofOverlay->addRow(this->HidesBelow);
+  ofOverlay->addRow(this->Moving);
   auto* form = new QFormLayout;
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
   form->addRow("Window", this->Width);
@@ -109,6 +112,7 @@ VolumePanel::VolumePanel(StudyController& study, const ViewContents& contents, Q
   connect(this->Opacity, &QSlider::valueChanged, this, &VolumePanel::TakeOverlay);
   connect(this->HidesBelow, &QCheckBox::clicked, this, &VolumePanel::TakeOverlay);
   connect(this->Opacity, &QSlider::sliderReleased, &study, &StudyController::EndGesture);
+  connect(this->Moving, &VolumeTransformRow::ValuesAsked, this, &VolumePanel::ValuesAsked);
   connect(this->Volumes, &VolumeList::Changed, this, &VolumePanel::ShowFiles);
   connect(&study, &StudyController::StateChanged, this, &VolumePanel::ShowFiles);
   connect(&study, &StudyController::ViewChanged, this, &VolumePanel::ShowOverlay);
@@ -145,6 +149,7 @@ void VolumePanel::ShowFiles()
                 .arg(name(state.SegmentationFile))
                 .arg(state.Structures.size())
                 .arg(state.Structures.size() == 1 ? "structure" : "structures"));
+  this->Moving->ShowVolume();
   this->InSpace->ShowVolume();
   this->ShowWindow();
 }

@@ -4,6 +4,7 @@
 #include "ViewContents.h"
 #include "VolumeList.h"
 #include "VolumeRenderingRow.h"
+#include "VolumeTransformRow.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -22,7 +23,12 @@ class VolumePanel : public QWidget
 
 public:
   /// Keeps the addresses.
-  VolumePanel(StudyController& study, const ViewContents& contents, QWidget* parent);
+  VolumePanel(StudyController& study, const ViewContents& contents, const FileQuestions& questions,
+              QWidget* parent);
+
+Q_SIGNALS:
+  /// Make a structure of the values of this further volume.
+  void ValuesAsked(int volumeId);
 
 private:
   QDoubleSpinBox* AddNumber(const char* name);
@@ -50,6 +56,7 @@ private:
   QSlider* Opacity;
   QCheckBox* HidesBelow;
   QWidget* OfOverlay; // its colours and opacity
+  VolumeTransformRow* Moving;
   VolumeRenderingRow* InSpace;
 };
 } // namespace palpate

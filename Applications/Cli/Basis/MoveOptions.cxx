@@ -4,23 +4,12 @@
 #include "FileType.h"
 #include "ImageContent.h"
 #include "InputError.h"
-#include "LabelValues.h"
-#include "SurfaceModel.h"
+#include "SceneMove.h"
 #include "TransformFile.h"
 #include "TransformedImage.h"
 
-#include "vtkDataArray.h"
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkTransform.h"
-#include "vtkTransformPolyDataFilter.h"
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <map>
 #include <utility>
-#include <variant>
 
 namespace palpate::cli
 {
@@ -49,11 +38,7 @@ void MoveOptions::Read(const std::filesystem::path& input)
     }
     return;
   }
-  this->Map = ReadTransform(this->File, {input, this->Reference});
-  if (this->Map.linear().determinant() < 0.0)
-  {
-    throw InputError(this->File.string() + " mirrors the patient; register again");
-  }
+  this->Map = ReadMove({this->File, this->Reference}, input);
   if (!this->Reference.empty())
   {
     const ImageContent content = ReadImageContent(this->Reference);
@@ -77,20 +62,12 @@ Segmentation MoveOptions::Moved(Segmentation segmentation) const
   {
     return segmentation;
   }
-  std::vector<std::map<int, vtkIdType>> counts;
   for (vtkSmartPointer<vtkImageData>& layer : segmentation.Layers)
   {
     layer = this->Moved(layer, ResamplingKind::Nearest);
-    counts.push_back(CountLabels(layer->GetPointData()->GetScalars()));
   }
-  // Structures that lie outside of the new grid.
-  auto& segments = segmentation.Segments;
-  segments.erase(
-      std::remove_if(segments.begin(), segments.end(),
-                     [&counts](const Segment& one)
-                     { return counts[static_cast<std::size_t>(one.Layer)].count(one.Value) == 0; }),
-      segments.end());
-  if (segments.empty())
+  RemoveEmptySegments(segmentation); // those outside of the new grid
+  if (segmentation.Segments.empty())
   {
     throw InputError(this->Input.string() + " has no structure within " + this->Reference.string() +
                      "; check the direction of the transform");
@@ -100,29 +77,12 @@ Segmentation MoveOptions::Moved(Segmentation segmentation) const
 
 vtkSmartPointer<vtkPolyData> MoveOptions::Moved(vtkPolyData* surface) const
 {
-  if (!this->IsGiven())
-  {
-    return surface;
-  }
-  const Eigen::Matrix<double, 4, 4, Eigen::RowMajor> rows = this->Map.matrix();
-  vtkNew<vtkTransform> transform;
-  transform->SetMatrix(rows.data());
-  vtkNew<vtkTransformPolyDataFilter> filter;
-  filter->SetTransform(transform);
-  filter->SetInputData(surface);
-  filter->Update();
-  return filter->GetOutput();
+  return this->IsGiven() ? palpate::Moved(this->Map, surface)
+                         : vtkSmartPointer<vtkPolyData>(surface);
 }
 
 OrganModel MoveOptions::Moved(const OrganModel& model) const
 {
-  if (!this->IsGiven())
-  {
-    return model;
-  }
-  const auto* radial = std::get_if<RadialModel>(&model);
-  const SurfaceModel surface =
-      radial != nullptr ? SurfaceModel::FromModel(*radial) : std::get<SurfaceModel>(model);
-  return surface.Transformed(this->Map.linear(), this->Map.translation());
+  return this->IsGiven() ? palpate::Moved(this->Map, model) : model;
 }
 } // namespace palpate::cli

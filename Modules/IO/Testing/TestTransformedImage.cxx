@@ -110,5 +110,57 @@ TEST(TransformedImage, StretchAndMirrorNeedAReference)
     EXPECT_THROW(MoveRigidly("a.nii", image, Eigen::Affine3d(scales.asDiagonal())), InputError);
   }
 }
+
+TEST(TransformedImage, PerpendicularAxesKeepVoxels)
+{
+  const auto image = Sampled(GridWith(Eigen::Matrix3d::Identity()));
+  const Eigen::Affine3d similar = Turned() * Eigen::Scaling(1.25);
+  const Eigen::Affine3d along(Eigen::Scaling(1.0, 1.2, 0.9)); // the image's own axes
+  for (const Eigen::Affine3d& map : {Turned(), similar, along})
+  {
+    std::vector<std::string> notes;
+    const auto moved = MoveAxes("a.nii", image, map, ResamplingKind::Linear, notes);
+    EXPECT_TRUE(notes.empty());
+    EXPECT_EQ(moved->GetPointData()->GetScalars(), image->GetPointData()->GetScalars());
+    for (vtkIdType i = 0; i < image->GetNumberOfPoints(); i += 97)
+    {
+      EXPECT_LT((WorldOf(moved, i) - map * WorldOf(image, i)).norm(), 1e-9);
+    }
+  }
+}
+
+TEST(TransformedImage, ShearedAxesAreResampledWithANote)
+{
+  const auto image = Sampled(GridWith(Eigen::Matrix3d::Identity()));
+  Eigen::Affine3d map = Turned();
+  map.linear() *= (Eigen::Matrix3d() << 1.0, 0.1, 0.0, 0.0, 1.0, 0.2, 0.0, 0.0, 1.1).finished();
+  std::vector<std::string> notes;
+  const auto moved = MoveAxes("a.nii", image, map, ResamplingKind::Linear, notes);
+  EXPECT_EQ(notes, std::vector<std::string>{ResamplingNote});
+  EXPECT_FALSE(IsSheared(GridOf(moved)));
+  const Eigen::AlignedBox3d inner(WorldOf(image, 0) + Vector3::Constant(0.1),
+                                  WorldOf(image, image->GetNumberOfPoints() - 1) -
+                                      Vector3::Constant(0.1));
+  int inside = 0;
+  for (vtkIdType i = 0; i < moved->GetNumberOfPoints(); ++i)
+  {
+    const Vector3 from = map.inverse() * WorldOf(moved, i);
+    if (inner.contains(from))
+    {
+      ++inside;
+      ASSERT_NEAR(moved->GetPointData()->GetScalars()->GetTuple1(i), ValueAt(from), 1e-3);
+    }
+  }
+  EXPECT_GT(inside, 500);
+}
+
+TEST(TransformedImage, GridThatNoImageHasIsRefused)
+{
+  const auto image = Sampled(GridWith(Eigen::Matrix3d::Identity()));
+  std::vector<std::string> notes;
+  EXPECT_THROW(MoveAxes("a.nii", image, Eigen::Affine3d(Eigen::Scaling(1e-9)),
+                        ResamplingKind::Linear, notes),
+               InputError);
+}
 } // namespace
 } // namespace palpate::transformed_image_test

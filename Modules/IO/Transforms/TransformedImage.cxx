@@ -37,4 +37,23 @@ vtkSmartPointer<vtkImageData> MoveRigidly(const std::filesystem::path& file, vtk
   grid.OriginWorld = map * grid.OriginWorld;
   return MakeImage(grid, image->GetPointData()->GetScalars());
 }
+
+vtkSmartPointer<vtkImageData> MoveAxes(const std::filesystem::path& file, vtkImageData* image,
+                                       const Eigen::Affine3d& map, ResamplingKind kind,
+                                       std::vector<std::string>& notes)
+{
+  ImageGrid grid = GridOf(image);
+  const Eigen::Matrix3d steps = map.linear() * grid.Direction * grid.Spacing.asDiagonal();
+  grid.Spacing = steps.colwise().norm();
+  grid.Direction = steps.colwise().normalized();
+  grid.OriginWorld = map * grid.OriginWorld;
+  CheckGrid(file, grid, notes, ShearedAxes::Resample);
+  vtkSmartPointer<vtkImageData> moved = MakeImage(grid, image->GetPointData()->GetScalars());
+  if (!IsSheared(grid))
+  {
+    return moved;
+  }
+  notes.emplace_back(ResamplingNote);
+  return ResampleSheared(file, moved, kind);
+}
 } // namespace palpate

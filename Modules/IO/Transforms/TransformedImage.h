@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace palpate
 {
@@ -21,4 +23,12 @@ ResampleMoved(const std::filesystem::path& file, vtkImageData* image, const Eige
 /// changes lengths or mirrors.
 PALPATEIO_EXPORT vtkSmartPointer<vtkImageData>
 MoveRigidly(const std::filesystem::path& file, vtkImageData* image, const Eigen::Affine3d& map);
+
+/// The image at the place to which an affine map that does not mirror moves it. The voxels stay as
+/// they are where the axes stay perpendicular, as under rigid maps and similarities; otherwise they
+/// are resampled on axes that are (see ResampleSheared), with a note. Throws InputError for a grid
+/// that no image has (see CheckGrid), and as ResampleSheared does.
+PALPATEIO_EXPORT vtkSmartPointer<vtkImageData>
+MoveAxes(const std::filesystem::path& file, vtkImageData* image, const Eigen::Affine3d& map,
+         ResamplingKind kind, std::vector<std::string>& notes);
 } // namespace palpate

@@ -179,6 +179,7 @@ inline StudyVolume RandomVolume(Random& random, int id)
   volume.Id = id;
   volume.File = StudyPath("volumes/" + std::to_string(id) + ".nrrd");
   volume.Series = RandomChoice(random) ? "" : "1.2.3." + std::to_string(id);
+  volume.Transform = RandomChoice(random) ? "" : StudyPath("volumes/moved.tfm");
   volume.IsVisible = RandomChoice(random);
   if (RandomChoice(random))
   {

@@ -30,14 +30,18 @@ int DecimalsFor(const ValueHistogram& histogram)
 }
 } // namespace
 
-ThresholdDialog::ThresholdDialog(StudyController& study, vtkImageDisplay* images, QWidget* parent)
-    : QDialog(parent), Study(study), Images(images),
-      Shown(study.Current().Pipeline().Newest<Volume>(SceneStep::Volume)),
+ThresholdDialog::ThresholdDialog(StudyController& study, vtkImageDisplay* images, QWidget* parent,
+                                 int volumeId)
+    : QDialog(parent), Study(study), Images(images), VolumeId(volumeId),
+      Shown(study.Current().Pipeline().Newest<Volume>(SceneStep::Volume, volumeId)),
       Histogram(HistogramOf(Shown->Image)), Form(new QFormLayout(this)),
       Chart(new HistogramView(Histogram, this)), HasUpper(new QCheckBox("Upper value", this)),
       Masks(new QComboBox(this)), Name(new QLineEdit(this))
 {
-  this->setWindowTitle("Structure from image values");
+  const StudyVolume* further = FindVolume(study.State(), volumeId);
+  this->setWindowTitle(
+      "Structure from image values" +
+      (further != nullptr ? " of " + ScreenString(further->File.filename().string()) : QString()));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   this->Add = buttons->button(QDialogButtonBox::Ok);
   this->Add->setText("Add structure");
@@ -158,11 +162,14 @@ ThresholdDialog::SegmentationOf(const SceneStructure& structure) const
 // Labels that have been read, so that the slices can show them.
 void ThresholdDialog::ListMasks()
 {
+  const StudyState& state = this->Study.State();
+  const StudyVolume* further = FindVolume(state, this->VolumeId);
+  const SceneMove move = further != nullptr ? MoveOf(state, *further) : SceneMove{};
   std::vector<std::pair<int, QString>> offered{{0, "the whole volume"}};
-  for (const SceneStructure& structure : this->Study.State().Structures)
+  for (const SceneStructure& structure : state.Structures)
   {
     const bool isLabel = structure.Source() == SceneSource::Label && structure.Labels.size() == 1;
-    if (isLabel && this->SegmentationOf(structure) != nullptr)
+    if (isLabel && structure.Move == move && this->SegmentationOf(structure) != nullptr)
     {
       offered.emplace_back(structure.Id, ScreenString(TitleOf(structure)));
     }
@@ -184,7 +191,8 @@ void ThresholdDialog::ListMasks()
 
 void ThresholdDialog::FollowStudy()
 {
-  if (this->Study.Current().Pipeline().Newest<Volume>(SceneStep::Volume) != this->Shown)
+  if (this->Study.Current().Pipeline().Newest<Volume>(SceneStep::Volume, this->VolumeId) !=
+      this->Shown)
   {
     this->reject();
     return;
@@ -226,7 +234,10 @@ void ThresholdDialog::ShowOnSlices()
   this->Add->setEnabled(isRange);
   this->Add->setToolTip(isRange ? "" : "The upper value must be above the lower one");
   this->Chart->ShowRange(this->LowerBox->value(), this->Upper());
-  this->Images->MarkValues(this->LowerBox->value(), this->Upper(), mask, value);
+  if (this->VolumeId == 0)
+  {
+    this->Images->MarkValues(this->LowerBox->value(), this->Upper(), mask, value);
+  }
 }
 
 void ThresholdDialog::accept()
@@ -239,6 +250,7 @@ void ThresholdDialog::accept()
   }
   threshold.WithinId = this->Masks->currentData().toInt();
   threshold.Name = this->Name->text().trimmed().toStdString();
+  threshold.VolumeId = this->VolumeId;
   this->QDialog::accept();
   this->Study.AddThreshold(threshold);
 }

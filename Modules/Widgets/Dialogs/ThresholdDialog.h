@@ -21,16 +21,18 @@
 
 namespace palpate
 {
-/// Makes a structure of a range of the volume's values, in the whole volume or inside a label. The
-/// slices show the range while it is chosen. Accepting it is one undo step of the study; it closes
-/// if the study gets another volume.
+/// Makes a structure of a range of a volume's values, in the whole volume or inside a label. The
+/// slices show the range while it is chosen, unless the volume is a further one. Accepting it is
+/// one undo step of the study; it closes if the study gets another volume.
 class ThresholdDialog : public QDialog
 {
   Q_OBJECT
 
 public:
-  /// Keeps the address of the study, whose volume must have been read. `images` shows the volume.
-  ThresholdDialog(StudyController& study, vtkImageDisplay* images, QWidget* parent);
+  /// Keeps the address of the study, whose volume of this id (0: the first one) must have been
+  /// read. `images` shows the first one.
+  ThresholdDialog(StudyController& study, vtkImageDisplay* images, QWidget* parent,
+                  int volumeId = 0);
 
   void accept() override;
   void done(int result) override;
@@ -48,6 +50,7 @@ private:
 
   StudyController& Study;
   vtkSmartPointer<vtkImageDisplay> Images;
+  int VolumeId;
   std::shared_ptr<const Volume> Shown;
   ValueHistogram Histogram;
   QFormLayout* Form;

@@ -49,6 +49,10 @@ void DrawingLink::FollowSlice(SlicePane* slice)
   connect(slice, &SlicePane::StrokeBegun, this,
           [this, slice](const Vector3& point)
           {
+            if (!this->Drawing->isChecked())
+            {
+              return; // it is another mode's
+            }
             this->StrokePixel = slice->PixelRight().norm();
             this->Stroke = {point};
           });

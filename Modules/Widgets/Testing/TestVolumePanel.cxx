@@ -1,6 +1,8 @@
 #include "ImageWriter.h"
 #include "LabelImages.h"
 #include "SlicePainter.h"
+#include "ThresholdDialog.h"
+#include "TransformFile.h"
 #include "WindowTest.h"
 
 #include <QCheckBox>
@@ -10,9 +12,9 @@
 #include <QListWidget>
 #include <QSlider>
 
-#include <random>
-
 #include <cmath>
+#include <fstream>
+#include <random>
 
 namespace palpate::volume_panel_test
 {
@@ -96,6 +98,17 @@ protected:
   QListWidget* List() const { return this->Window->findChild<QListWidget*>("volumes"); }
   QComboBox* Box(const char* name) const { return this->Window->findChild<QComboBox*>(name); }
   const StudyVolume& Further() const { return this->Study->State().Volumes.at(0); }
+  // Where the first voxel of the second volume is shown, mm.
+  Vector3 Place() const
+  {
+    const auto& image = this->Images()->GetContent().Over.at(0).Image;
+    return Vector3(image->GetOrigin());
+  }
+  void ChooseTransform(const std::filesystem::path& file)
+  {
+    this->Opened = QStringList{QString::fromStdString(file.string())};
+    this->Button("volume-transform")->click();
+  }
 
   std::filesystem::path Second = this->Phantom.Folder / "second.nii.gz";
 };
@@ -166,6 +179,64 @@ TEST_F(SeveralVolumesTest, ProbeNamesTheValueOfEach)
   const std::string text = this->Window->Contents().TextAt(Vector3(-3.0, 0.0, 0.0));
   EXPECT_NE(text.find("volume.nii.gz 700"), std::string::npos) << text;
   EXPECT_NE(text.find("second.nii.gz 100"), std::string::npos) << text;
+}
+
+TEST_F(SeveralVolumesTest, TransformMovesTheSelectedVolumeUntilItIsCleared)
+{
+  const Vector3 before = this->Place();
+  const Eigen::Affine3d map = Eigen::Translation3d(7.0, -3.0, 2.0) *
+                              Eigen::Affine3d(Eigen::AngleAxisd(0.4, Vector3::UnitY()));
+  WriteTransform(this->Phantom.Folder / "a.lta", map);
+  this->List()->setCurrentRow(1);
+  QPushButton* clear = this->Button("volume-transform-clear");
+  EXPECT_FALSE(clear->isEnabled());
+  const auto isAt = [this](const Vector3& place)
+  { return this->Images()->GetNumberOfOverlays() == 1 && (this->Place() - place).norm() < 1e-6; };
+  this->ChooseTransform(this->Phantom.Folder / "a.lta");
+  WaitUntil([&] { return isAt(map * before); });
+  EXPECT_EQ(this->Button("volume-transform")->text(), "a.lta");
+  clear->click();
+  WaitUntil([&] { return isAt(before); });
+  EXPECT_FALSE(clear->isEnabled());
+  this->Study->Undo();
+  WaitUntil([&] { return isAt(map * before); });
+}
+
+TEST_F(SeveralVolumesTest, BadTransformIsRefusedWithAMessage)
+{
+  this->List()->setCurrentRow(1);
+  std::ofstream(this->Phantom.Folder / "bad.xfm") << "MNI Transform File\nLinear_Transform = 1 0";
+  this->ChooseTransform(this->Phantom.Folder / "bad.xfm");
+  EXPECT_TRUE(this->Further().Transform.empty());
+  EXPECT_NE(this->Messages().find("bad.xfm"), std::string::npos) << this->Messages();
+}
+
+TEST_F(SeveralVolumesTest, StructureOfTheSelectedVolumeGoesWithIt)
+{
+  WriteTransform(this->Phantom.Folder / "a.tfm",
+                 Eigen::Affine3d(Eigen::Translation3d(7.0, -3.0, 2.0)));
+  this->List()->setCurrentRow(1);
+  this->ChooseTransform(this->Phantom.Folder / "a.tfm");
+  WaitUntil([this]
+            { return this->Images()->GetNumberOfOverlays() == 1 && !this->Study->IsBusy(); });
+  this->Button("volume-structure")->click();
+  auto* dialog = this->Window->findChild<ThresholdDialog*>();
+  ASSERT_NE(dialog, nullptr);
+  EXPECT_TRUE(dialog->windowTitle().contains("second.nii.gz"));
+  dialog->accept();
+  const SceneStructure& made = this->Study->State().Structures.back();
+  EXPECT_EQ(made.File, this->Second);
+  EXPECT_EQ(made.Move, (SceneMove{this->Phantom.Folder / "a.tfm", this->VolumeFile()}));
+  this->Button("volume-transform-clear")->click();
+  EXPECT_FALSE(this->Study->State().Structures.back().Move.IsSet());
+}
+
+TEST_F(SeveralVolumesTest, KeyShowsTheNextVolume)
+{
+  this->Action("Next volume over the first")->trigger();
+  EXPECT_FALSE(this->Further().IsVisible);
+  this->Action("Next volume over the first")->trigger();
+  EXPECT_TRUE(this->Further().IsVisible);
 }
 
 TEST_F(SeveralVolumesTest, SessionReopensEqual)

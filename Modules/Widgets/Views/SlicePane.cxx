@@ -117,7 +117,7 @@ bool SlicePane::TakeStroke(QEvent* event)
   if (isPress)
   {
     this->HadControl = mouse.modifiers() & Qt::ControlModifier;
-    Q_EMIT StrokeBegun(point);
+    Q_EMIT StrokeBegun(point, this->HadControl);
   }
   else if (this->IsStroke)
   {

@@ -55,7 +55,7 @@ public:
 Q_SIGNALS:
   ///@{
   /// A stroke (world, mm), which may be a click; and whether Ctrl was held where it began.
-  void StrokeBegun(const Vector3& pointWorld);
+  void StrokeBegun(const Vector3& pointWorld, bool hasControl);
   void StrokeMoved(const Vector3& pointWorld);
   void StrokeEnded(bool hadControl);
   ///@}

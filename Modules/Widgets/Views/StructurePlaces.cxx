@@ -24,7 +24,8 @@ void StructurePlaces::Take(const StudyState& state,
   std::map<std::string, int> byText;
   for (const SceneStructure& structure : state.Structures)
   {
-    if (structure.Labels.size() == 1 && structure.File == state.SegmentationFile)
+    if (structure.Labels.size() == 1 && structure.File == state.SegmentationFile &&
+        !structure.Move.IsSet())
     {
       byText.emplace(structure.Labels.front(), structure.Id);
     }

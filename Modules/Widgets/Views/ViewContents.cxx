@@ -72,6 +72,11 @@ void KeepOnly(std::map<int, Shown>& shown, const std::set<int>& labels)
 ViewContents::ViewContents()
 {
   this->ProbeShown->VisibilityOff();
+  this->HeldShown->VisibilityOff();
+  this->HeldShown->SetColor(0.34, 0.71, 0.91); // Okabe and Ito's sky blue, unlike organs
+  this->HeldShown->SetOpacity(0.75);
+  this->HeldShown->SetLineWidth(2.0);
+  this->HeldShown->PickableOff();
   this->WorkspaceShown->VisibilityOff();
   this->WorkspaceShown->WireframeOn();
   this->WorkspaceShown->SetLineWidth(1.0);
@@ -100,6 +105,19 @@ void ViewContents::ShowDrawing(const DrawnOrgan& organ, const StudyDrawing& draw
 {
   this->Drawn.Show(organ);
   this->Marks.ShowDrawing(drawing, areMarked ? organ.Next() : std::vector<Vector3>());
+}
+
+void ViewContents::ShowHeld(int id, vtkPolyData* surface)
+{
+  this->HeldShown->SetVisibility(surface != nullptr);
+  if (surface != nullptr)
+  {
+    this->HeldShown->SetSurface(surface);
+  }
+  for (const auto& [own, shown] : this->SurfacesShown)
+  {
+    shown->SetVisibility(own != id || surface == nullptr);
+  }
 }
 
 // Without a volume, slices are through the middle of what is shown, until the user moves them.

@@ -52,6 +52,8 @@ public:
   }
   /// The organ that is drawn by touch; with touches and next places as marks.
   void ShowDrawing(const DrawnOrgan& organ, const StudyDrawing& drawing, bool areMarked);
+  /// A structure that a hand holds, where it holds it, instead of where it is; null: none is held.
+  void ShowHeld(int id, vtkPolyData* surface);
   /// Of measurements' values.
   void SetLengthUnit(LengthUnit unit) { this->Marks.SetLengthUnit(unit); }
   /// `view` with the user's crosshair, window and opacity.
@@ -63,6 +65,7 @@ public:
   vtkLandmarks* Landmarks() const { return this->Marks.Display(); }
   vtkProbeRepresentation* Probe() const { return this->ProbeShown; }
   const ShownDrawing& Drawing() const { return this->Drawn; }
+  vtkSurfaceDisplay* Held() const { return this->HeldShown; }
   vtkSurfaceDisplay* Workspace() const { return this->WorkspaceShown; }
   /// By the structure's label.
   const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Surfaces() const
@@ -118,6 +121,7 @@ private:
   ShownDrawing Drawn;
   vtkNew<vtkProbeRepresentation> ProbeShown;
   NearestOnSurfaces Around; // the tool
+  vtkNew<vtkSurfaceDisplay> HeldShown;
   vtkNew<vtkSurfaceDisplay> WorkspaceShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> SurfacesShown;
   std::map<int, vtkSmartPointer<vtkSurfaceDisplay>> CutsShown;

@@ -70,6 +70,7 @@ void ViewPane::Show(vtkLinkedView* view, const ViewContents& contents)
   this->Follow(contents.Landmarks());
   this->Follow(contents.Probe());
   this->AddSurface(contents.Workspace());
+  this->AddSurface(contents.Held());
   this->AddSurface(contents.Drawing().Display());
 }
 
