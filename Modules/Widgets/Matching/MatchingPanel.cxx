@@ -228,8 +228,8 @@ QString MatchingPanel::SentenceOfMatch() const
   const QString few = this->Link.Organ().PointCount() < EnoughPoints
                           ? QString(" Fewer than 40 points: the error is larger than that.")
                           : QString();
-  return QString("Matched: the surfaces are %1 mm apart (root mean square), the place is sure to "
-                 "%2 mm%3 (one standard deviation).%4")
+  return QString("Matched: surfaces %1 mm apart (root mean square); sure to %2 mm%3 (one standard "
+                 "deviation).%4")
       .arg(match.Rms, 0, 'f', 2)
       .arg(error.Shift, 0, 'f', 2)
       .arg(turn, few);
