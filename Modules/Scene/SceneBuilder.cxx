@@ -183,8 +183,7 @@ private:
     }
     for (const SceneStructure& structure : this->Asked.Structures)
     {
-      std::vector<std::filesystem::path> named{structure.File, structure.WithinFile,
-                                               structure.Move.File, structure.Move.Fixed};
+      std::vector<std::filesystem::path> named{structure.File, structure.WithinFile};
       for (const auto& [key, image] : structure.Images)
       {
         named.push_back(image);

@@ -41,21 +41,9 @@ protected:
     const std::size_t count = this->Study->State().Structures.size();
     this->Study->AddSegmentation(this->File("second-gland.nii.gz"));
     WaitUntil([&] { return this->Study->State().Structures.size() > count; });
-    this->ShowGlands();
     this->Settle();
     WaitUntil([this] { return this->Window->Contents().Surfaces().size() == 2; });
     DrawAll(*this->Window->Views());
-  }
-  // Label 1 of both files.
-  void ShowGlands()
-  {
-    StudyState next = this->Study->State();
-    for (SceneStructure& structure : next.Structures)
-    {
-      structure.IsVisible = structure.Labels.front() == "1";
-      structure.IsTouchable = structure.IsVisible;
-    }
-    this->Study->Change("Show the glands", next);
   }
   void Drag(const SlicePane& slice, const Vector3& motion)
   {

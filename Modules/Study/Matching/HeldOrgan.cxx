@@ -10,6 +10,7 @@ namespace palpate
 {
 namespace
 {
+constexpr int FeltPoints = 64;        // a tick of a device takes 0.1 to 0.2 ms for them
 constexpr int MatchedPoints = 800;    // of equal areas
 constexpr double LargestForce = 1.5;  // N, which a hand holds for long
 constexpr double MostStiffness = 1.0; // N/mm
@@ -25,6 +26,7 @@ HeldFitSettings SettingsFor(const IndexedMesh& fixed)
     box.extend(point);
   }
   HeldFitSettings settings;
+  settings.Points = FeltPoints;
   const double half = box.isEmpty() ? LeastReach : 0.5 * box.sizes().minCoeff();
   settings.Reach = std::clamp(0.5 * half, LeastReach, MostReach);
   settings.Stiffness =

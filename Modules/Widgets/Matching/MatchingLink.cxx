@@ -26,8 +26,11 @@ MatchingLink::MatchingLink(StudyController& study, ViewContents& contents, ViewG
   connect(this->Matching, &QAction::toggled, this, &MatchingLink::ShowMode);
   connect(this->Holding, &QAction::toggled, this, &MatchingLink::HoldAtTool);
   connect(&this->Frames, &QTimer::timeout, this, &MatchingLink::Advance);
-  connect(&study, &StudyController::StateChanged, this, &MatchingLink::FollowSurfaces);
-  connect(&study, &StudyController::ProductsChanged, this, &MatchingLink::FollowSurfaces);
+  // Queued: once the views show what has changed.
+  connect(&study, &StudyController::StateChanged, this, &MatchingLink::FollowSurfaces,
+          Qt::QueuedConnection);
+  connect(&study, &StudyController::ProductsChanged, this, &MatchingLink::FollowSurfaces,
+          Qt::QueuedConnection);
   connect(&study, &StudyController::Touched, this, &MatchingLink::FollowTouch);
   connect(&study, &StudyController::TouchChanged, this,
           [this]

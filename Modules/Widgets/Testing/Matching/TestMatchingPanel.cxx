@@ -128,7 +128,7 @@ TEST_F(MatchingPanelTest, DraggedOrganIsMatchedWhenItIsLetGoAtUsualSizes)
     QTest::keyClick(this->Window.get(), Qt::Key_Escape);
     EXPECT_FALSE(this->Action("Hold and match")->isChecked());
     this->Study->New();
-    EXPECT_EQ(this->Organ().Is(), Phase::Absent);
+    WaitUntil([this] { return this->Organ().Is() == Phase::Absent; });
     EXPECT_FALSE(this->Held()->GetVisibility());
   }
 }
@@ -166,6 +166,7 @@ TEST_F(MatchingPanelTest, KeptMatchMovesOrganAndVolumeAndIsUndone)
   WaitUntil(isMoved);
   EXPECT_LT((this->CenterOf(this->MovingId()) - this->CenterOf(state.Structures.front().Id)).norm(),
             0.5);
+  WaitUntil([this] { return !this->Organ().Match(); });
   EXPECT_EQ(this->Organ().Pose().matrix(), Eigen::Matrix4d::Identity()) << "taken where it is now";
   this->ExpectSameStudyAfterReopening();
 }
