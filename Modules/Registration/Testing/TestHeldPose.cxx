@@ -71,6 +71,7 @@ TEST(HeldPose, TurnKeepsThePivotAndTheStretch)
   pose.Turn(rotation);
   EXPECT_LT((pose.Pose() * fit.Pivot() - pivot).norm(), 1e-12);
   EXPECT_LT((pose.Asked() * fit.Pivot() - asked).norm(), 1e-12);
+  EXPECT_LT((pose.Asked().linear() - pose.Pose().linear()).norm(), 1e-12);
   const Eigen::AngleAxisd made(Eigen::Matrix3d(pose.Pose().linear() * before.transpose()));
   EXPECT_LT((made.angle() * made.axis() - rotation).norm(), 1e-12);
 }
