@@ -87,9 +87,10 @@ StudyState WithTransform(const StudyState& state, int volumeId,
   }
   for (SceneStructure& structure : next.Structures)
   {
-    const bool isOfVolume = structure.Iso && structure.File == volume.File &&
-                            structure.Series == volume.Series && structure.Move == before;
-    structure.Move = isOfVolume ? MoveOf(next, volume) : structure.Move;
+    const bool isOfVolume =
+        structure.Iso && structure.File == volume.File && structure.Series == volume.Series;
+    const bool goesAlong = structure.Move == before && (before.IsSet() || isOfVolume);
+    structure.Move = goesAlong ? MoveOf(next, volume) : structure.Move;
   }
   return next;
 }

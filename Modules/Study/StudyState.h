@@ -101,9 +101,9 @@ PALPATESTUDY_EXPORT const StudyVolume* FindVolume(const StudyState& state, int i
 /// How a further volume is moved, and structures of its values with it.
 PALPATESTUDY_EXPORT SceneMove MoveOf(const StudyState& state, const StudyVolume& volume);
 
-/// The state with another transform of a further volume and of the structures that are of the same
-/// image and were moved as it; an empty one leaves it where its file says. Throws InputError as
-/// ReadMove does.
+/// The state with another transform of a further volume, and of the structures that were moved by
+/// the same file, or if there was none, are of its values; an empty one leaves it where its file
+/// says. Throws InputError as ReadMove does.
 PALPATESTUDY_EXPORT StudyState WithTransform(const StudyState& state, int volumeId,
                                              const std::filesystem::path& transform);
 

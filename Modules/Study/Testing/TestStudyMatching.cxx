@@ -263,6 +263,8 @@ TEST_F(StudyMatchTest, MovesTheOrganItsFilesStructuresAndTheVolume)
     EXPECT_TRUE(
         ReadMove(next.Structures[0].Move, next.Structures[0].File).isApprox(this->Map, 1e-5))
         << name;
+    const StudyState back = WithTransform(next, this->Choice.VolumeId, {});
+    EXPECT_EQ(back, this->State) << "the organ returns with the volume";
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace palpate
 {
@@ -138,11 +139,22 @@ void MatchingPanel::Offer(QComboBox* box, const std::vector<std::pair<int, QStri
                           int chosen)
 {
   const QSignalBlocker quiet(box);
-  box->clear();
-  for (const auto& [id, title] : offered)
+  const int count = static_cast<int>(offered.size());
+  for (int row = 0; row < count; ++row)
   {
-    box->addItem(title, id);
+    const auto& [id, title] = offered[static_cast<std::size_t>(row)];
+    if (row == box->count())
+    {
+      box->addItem(title, id);
+    }
+    else if (box->itemData(row) != id || box->itemText(row) != title)
+    {
+      box->setItemText(row, title); // an open list stays open
+      box->setItemData(row, id);
+    }
   }
+  box->setMaxCount(count); // without those that are no more
+  box->setMaxCount(std::numeric_limits<int>::max());
   box->setCurrentIndex(std::max(0, box->findData(chosen)));
 }
 
