@@ -72,6 +72,7 @@ std::string ArrayTitle(const std::string& array)
       {"Residual", "Residual of the fit, mm"},
       {"RadiusDeviation", "Uncertainty of the radius, mm"},
       {"NormalDeviation", "Uncertainty along the normal, mm"},
+      {"SignedDistance", "Distance from the start, mm"},
       {"StandardDeviation", "Standard deviation, mm"},
       {"NoticedStiffness", "Stiffness felt, noticeable steps"}};
   const auto title = Titles.find(array);

@@ -129,9 +129,16 @@ void WriteCorrections(const std::vector<CorrectionStep>& steps, const std::files
 std::vector<CorrectionStep> ReadCorrections(const std::filesystem::path& file)
 {
   const nlohmann::json json = ReadJson(file, MostCorrectionBytes, CorrectionRemedy);
+  const JsonNumbers numbers(file, CorrectionRemedy);
+  numbers.RequireFormat(json, CorrectionFormat, CorrectionVersion, CorrectionKind);
+  return CorrectionsOf(numbers.List(json, "steps"), file);
+}
+
+std::vector<CorrectionStep> CorrectionsOf(const nlohmann::json& list,
+                                          const std::filesystem::path& file)
+{
   const StepReader reader(file);
-  reader.Reader().RequireFormat(json, CorrectionFormat, CorrectionVersion, CorrectionKind);
-  const nlohmann::json& list = reader.Reader().List(json, "steps");
+  reader.Reader().Require(list.is_array(), "has steps that are not a list");
   reader.Reader().Require(list.size() <= MostSteps, "has more than 1,100 steps");
   std::vector<CorrectionStep> steps;
   for (const nlohmann::json& step : list)

@@ -13,6 +13,10 @@ namespace palpate
 /// "smooth", "deviation_mm"}, {"do": "cut", "point_mm", "normal"}.
 nlohmann::ordered_json CorrectionJson(const std::vector<CorrectionStep>& steps);
 
+/// The steps of such an array, which is in a file. Throws InputError as ReadCorrections.
+std::vector<CorrectionStep> CorrectionsOf(const nlohmann::json& list,
+                                          const std::filesystem::path& file);
+
 /// Writes the steps (format "palpate-corrections", version 1; mm, patient LPS) under AtomicFile's
 /// rules. Throws InputError.
 void WriteCorrections(const std::vector<CorrectionStep>& steps, const std::filesystem::path& file);

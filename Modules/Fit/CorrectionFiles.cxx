@@ -1,23 +1,15 @@
 #include "CorrectionFiles.h"
 
-#include "BodyOverlap.h"
-#include "ComparedBody.h"
-#include "CorrectedMask.h"
 #include "CorrectionFile.h"
-#include "ImageIndexToWorld.h"
+#include "EarlierFiles.h"
 #include "InputError.h"
 #include "JsonSchema.h"
-#include "LabelMask.h"
-#include "MaskEdits.h"
 #include "MeshConversion.h"
-#include "MeshDistances.h"
-#include "ModelCorrection.h"
 #include "ModelFile.h"
 #include "OutputFolder.h"
 #include "Refusal.h"
 #include "SegmentationWriter.h"
 #include "SurfaceFile.h"
-#include "Units.h"
 #include "WholeFile.h"
 
 #include "vtkDataArray.h"
@@ -27,7 +19,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
-#include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 namespace palpate
@@ -36,7 +28,7 @@ namespace
 {
 using CorrectionObject = nlohmann::ordered_json;
 
-constexpr int PulledFrequency = 24; // 5,762 points that can be pulled
+constexpr const char* CorrectedModelFile = "model.json";
 constexpr const char* CorrectedMaskFile = "mask.nii.gz";
 constexpr const char* CorrectedLayersFile = "mask.seg.nrrd";
 
@@ -145,41 +137,14 @@ Segment MoveToOwnLayer(const Segment& structure, Segmentation& segmentation)
   return moved;
 }
 
-// Calls `visit` with each voxel of the image that is in one of two masks only, and whether it is in
-// the second.
-template <typename Visit>
-void ForEachChange(const VoxelMask& start, const VoxelMask& result, const Visit& visit)
-{
-  for (int k = 0; k < result.Size[2]; ++k)
-  {
-    for (int j = 0; j < result.Size[1]; ++j)
-    {
-      for (int i = 0; i < result.Size[0]; ++i)
-      {
-        const std::array<int, 3> index{result.StartIndex[0] + i, result.StartIndex[1] + j,
-                                       result.StartIndex[2] + k};
-        const bool isInside = result.Inside[result.Offset(i, j, k)] != 0;
-        if (isInside != HasVoxel(start, index))
-        {
-          visit(index, isInside);
-        }
-      }
-    }
-  }
-}
-
 void WriteChanges(const Segment& structure, const VoxelMask& start, const VoxelMask& result,
-                  NeighborPolicy neighbors, CorrectedOrgan& organ)
+                  NeighborPolicy neighbors, Segmentation& all)
 {
-  Segmentation& all = *organ.Mask;
   bool overlaps = false;
   const StructureVoxels before(all, structure);
   ForEachChange(start, result,
                 [&](const std::array<int, 3>& index, bool isAdded)
-                {
-                  (isAdded ? organ.AddedVoxels : organ.RemovedVoxels) += 1;
-                  overlaps = overlaps || (isAdded && before.IsOthers(index));
-                });
+                { overlaps = overlaps || (isAdded && before.IsOthers(index)); });
   const bool isShared = neighbors == NeighborPolicy::Overlap;
   StructureVoxels voxels(all, isShared && overlaps ? MoveToOwnLayer(structure, all) : structure);
   ForEachChange(start, result,
@@ -200,113 +165,36 @@ void WriteChanges(const Segment& structure, const VoxelMask& start, const VoxelM
                 });
 }
 
-std::string StepName(std::size_t number)
-{
-  return "step " + std::to_string(number + 1);
-}
-
-// Mean without sign over the area of a surface.
-double MeanOver(const IndexedMesh& mesh, const std::vector<double>& distances)
-{
-  const std::vector<double> areas = PointAreas(mesh);
-  double sum = 0.0;
-  double area = 0.0;
-  for (std::size_t n = 0; n < areas.size(); ++n)
-  {
-    sum += areas[n] * std::abs(distances[n]);
-    area += areas[n];
-  }
-  return area > 0.0 ? sum / area : 0.0;
-}
-
-double LargestOf(const std::vector<double>& distances)
-{
-  double largest = 0.0;
-  for (const double distance : distances)
-  {
-    largest = std::max(largest, std::abs(distance));
-  }
-  return largest;
-}
-
-void Measure(const ComparedBody& start, const ComparedBody& result, CorrectedOrgan& organ)
-{
-  organ.Surface = result.Surface();
-  RequireInput(start.DistancesOf(organ.Surface.Points, {}, organ.Distances), "the change");
-  std::vector<double> back;
-  RequireInput(result.DistancesOf(start.Surface().Points, {}, back), "the change");
-  organ.MeanDistance = MeanOver(organ.Surface, organ.Distances);
-  organ.LargestDistance = std::max(LargestOf(organ.Distances), LargestOf(back));
-  BodyOverlap overlap;
-  RequireInput(FindBodyOverlap(start, result, overlap), "the change");
-  organ.Dice = overlap.Dice();
-  organ.StartMilliliters = start.Volume() / CubicMillimetersPerMilliliter;
-  organ.Milliliters = result.Volume() / CubicMillimetersPerMilliliter;
-}
-
-ComparedBody BodyOfMask(const VoxelMask& mask, const IndexToWorld& toWorld)
-{
-  ComparedBody body;
-  if (!ComparedBody::OfMaskShape(mask, toWorld, body).IsOk())
-  {
-    RequireInput(ComparedBody::OfMask(mask, toWorld, body), "the mask");
-  }
-  return body;
-}
 } // namespace
 
 CorrectedOrgan CorrectedOrgan::OfMask(const Segmentation& start, const Segment& structure,
                                       const std::vector<CorrectionStep>& steps,
                                       NeighborPolicy neighbors)
 {
-  vtkImageData* const image = start.Layers[StructureVoxels::LayerOf(structure)];
-  const IndexToWorld toWorld = IndexToWorldOf(image);
-  const VoxelMask mask = CopyLabelMask(image, structure.Value, 1).Mask;
-  MaskCorrection::Barrier barrier;
-  if (neighbors == NeighborPolicy::Stop)
-  {
-    barrier = [voxels = StructureVoxels(start, structure)](const std::array<int, 3>& index)
-    { return voxels.IsOthers(index); };
-  }
-  CorrectedMask corrected(mask, toWorld, SizeOf(image), barrier);
-  for (std::size_t n = 0; n < steps.size(); ++n)
-  {
-    RequireInput(corrected.Apply(steps[n]), StepName(n));
-  }
-  CorrectedOrgan organ;
-  organ.Steps = steps;
-  organ.Mask = CopyOf(start);
-  WriteChanges(structure, mask, corrected.Mask(), neighbors, organ);
-  Measure(BodyOfMask(mask, toWorld), BodyOfMask(corrected.Mask(), toWorld), organ);
+  const std::shared_ptr<const Segmentation> lent(std::shared_ptr<void>(), &start);
+  CorrectedShape shape = CorrectedShape::OfMask(lent, structure, neighbors);
+  const VoxelMask before = shape.ResultMask();
+  shape.Do(steps);
+  CorrectedOrgan organ{shape.Change(), CopyOf(start), {}, steps};
+  WriteChanges(structure, before, shape.ResultMask(), neighbors, *organ.Mask);
   return organ;
 }
 
 CorrectedOrgan CorrectedOrgan::OfModel(const ModelDocument& start,
                                        const std::vector<CorrectionStep>& steps)
 {
-  SurfaceCorrection correction = StartOfModel(start.Surface, PulledFrequency);
-  for (std::size_t n = 0; n < steps.size(); ++n)
-  {
-    const auto* pull = std::get_if<SurfacePull>(&steps[n]);
-    if (pull == nullptr)
-    {
-      throw InputError(StepName(n) +
-                       " is an edit of voxels; a model can be pulled, or give a mask");
-    }
-    RequireInput(correction.Pull(*pull), StepName(n));
-  }
-  CorrectedOrgan organ;
-  organ.Steps = steps;
-  organ.Model = start;
+  CorrectedShape shape = CorrectedShape::OfModel(start);
+  shape.Do(steps);
+  CorrectedOrgan organ{shape.Change(), {}, start, steps};
   organ.Model->Elasticity = nullptr; // of another shape
-  RequireInput(ModelCorrection::Apply(start.Surface, correction, organ.Model->Surface),
-               "the model");
-  ComparedBody before;
-  ComparedBody after;
-  RequireInput(ComparedBody::OfModel(start.Surface, before), "the model");
-  RequireInput(ComparedBody::OfModel(organ.Model->Surface, after), "the corrected model");
-  Measure(before, after, organ);
+  organ.Model->Surface = shape.ResultModel();
   return organ;
+}
+
+MaskCorrection::Barrier OtherVoxels(const Segmentation& segmentation, const Segment& structure)
+{
+  return [voxels = StructureVoxels(segmentation, structure)](const std::array<int, 3>& index)
+  { return voxels.IsOthers(index); };
 }
 
 std::string CorrectionJson(const CorrectedOrgan& organ, const CorrectionInputs& inputs,
@@ -334,6 +222,16 @@ std::string CorrectionJson(const CorrectedOrgan& organ, const CorrectionInputs& 
   return json.dump(-1, ' ', false, CorrectionObject::error_handler_t::replace);
 }
 
+std::string CorrectedFileOf(const CorrectedOrgan& organ, const CorrectionInputs& inputs)
+{
+  if (organ.Model)
+  {
+    return CorrectedModelFile;
+  }
+  const bool isLayered = organ.Mask->Layers.size() > 1 || IsSlicerSegmentation(inputs.File);
+  return isLayered ? CorrectedLayersFile : CorrectedMaskFile;
+}
+
 void WriteCorrectionFiles(const CorrectedOrgan& organ, const CorrectionInputs& inputs,
                           const std::filesystem::path& folder, const std::string& program)
 {
@@ -343,6 +241,12 @@ void WriteCorrectionFiles(const CorrectedOrgan& organ, const CorrectionInputs& i
   distances->SetNumberOfValues(static_cast<vtkIdType>(organ.Distances.size()));
   std::copy(organ.Distances.begin(), organ.Distances.end(), distances->GetPointer(0));
   surface->GetPointData()->AddArray(distances);
+  const std::vector<std::string> results{CorrectedModelFile, CorrectedMaskFile,
+                                         CorrectedLayersFile};
+  for (const std::string& result : results)
+  {
+    RequireOtherFile(folder / result, inputs.File);
+  }
   WriteOutputSet(
       folder,
       [&](const std::filesystem::path& stage)
@@ -358,13 +262,11 @@ void WriteCorrectionFiles(const CorrectedOrgan& organ, const CorrectionInputs& i
           document.Provenance.Input = inputs.File.filename().string();
           document.Provenance.Settings = {
               {"corrected by pulls", std::to_string(organ.Steps.size())}};
-          WriteModel(stage / "model.json", document);
+          WriteModel(stage / CorrectedModelFile, document);
           return;
         }
-        const bool isLayered = organ.Mask->Layers.size() > 1 || IsSlicerSegmentation(inputs.File);
-        WriteSegmentation(stage / (isLayered ? CorrectedLayersFile : CorrectedMaskFile),
-                          *organ.Mask);
+        WriteSegmentation(stage / CorrectedFileOf(organ, inputs), *organ.Mask);
       },
-      {"model.json", CorrectedMaskFile, CorrectedLayersFile});
+      results);
 }
 } // namespace palpate

@@ -1,7 +1,6 @@
 #pragma once
 
-#include "CorrectionStep.h"
-#include "IndexedMesh.h"
+#include "CorrectedShape.h"
 #include "ModelDocument.h"
 #include "PalpateFitModule.h"
 #include "Segmentation.h"
@@ -13,16 +12,8 @@
 
 namespace palpate
 {
-/// What a pull does at a voxel of another structure.
-enum class NeighborPolicy
-{
-  Stop,    ///< it ends there
-  Overlap, ///< the voxel becomes one of both structures, in a layer of its own
-  Overwrite
-};
-
-/// A corrected organ, and how it differs from the start. Lengths mm, patient LPS.
-struct CorrectedOrgan
+/// A corrected organ, and how it differs from the start.
+struct CorrectedOrgan : CorrectionChange
 {
   /// Of a structure of a segmentation, which stays as it is. Throws InputError for a step that
   /// fails, naming its number.
@@ -37,16 +28,6 @@ struct CorrectedOrgan
   std::optional<Segmentation> Mask; ///< all structures, of which one is corrected
   std::optional<ModelDocument> Model;
   std::vector<CorrectionStep> Steps;
-  long long AddedVoxels = 0; ///< of a mask
-  long long RemovedVoxels = 0;
-  IndexedMesh Surface; ///< of the result
-  /// Of the surface's points from the surface at the start, positive outside of it.
-  std::vector<double> Distances;
-  double Dice = 1.0;             ///< with the start
-  double StartMilliliters = 0.0; ///< of voxels, or enclosed by a model
-  double Milliliters = 0.0;
-  double MeanDistance = 0.0;    ///< without sign, over the result's area
-  double LargestDistance = 0.0; ///< in both directions
 };
 
 /// Names of what was corrected.
@@ -62,6 +43,10 @@ struct CorrectionInputs
 PALPATEFIT_EXPORT std::string CorrectionJson(const CorrectedOrgan& organ,
                                              const CorrectionInputs& inputs,
                                              const std::string& folder);
+
+/// The name of the file with the corrected organ that WriteCorrectionFiles writes.
+PALPATEFIT_EXPORT std::string CorrectedFileOf(const CorrectedOrgan& organ,
+                                              const CorrectionInputs& inputs);
 
 /// Writes corrections.json (the steps, to be replayed), correction.json, change.vtp (the result's
 /// surface with the point array "SignedDistance" from the start, mm), and mask.nii.gz,

@@ -107,6 +107,19 @@ public:
       fields.RefuseOthers();
     }
   }
+  /// A value as JSON by `write()`, or read by `read(entry, file)`, which checks it.
+  template <typename Write, typename Read>
+  void ExchangeJson(const char* key, const Write& write, const Read& read)
+  {
+    if (!this->IsReading())
+    {
+      (*this->Written)[key] = write();
+    }
+    else if (const nlohmann::json* entry = this->Find(key))
+    {
+      read(*entry, this->File);
+    }
+  }
   /// The entry "format". `name` is that of the kind of file in messages, such as "a scene".
   void ExchangeFormat(const std::string& format, const std::string& name);
 

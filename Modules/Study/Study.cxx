@@ -220,6 +220,7 @@ void Study::Follow()
   this->Made.Update(this->State());
   this->AdoptStructures();
   this->Organ.Follow(this->State().Drawing);
+  this->FollowCorrection();
   this->FollowByTouch();
 }
 
@@ -325,6 +326,7 @@ std::vector<SceneContact> Study::Contacts() const
   std::vector<SceneContact> contacts = ContactsOf(this->State(), [this](SceneStep step, int id)
                                                   { return this->Made.NewestProduct(step, id); });
   this->Organ.AddTo(contacts);
+  this->Correcting.AddTo(contacts);
   return contacts;
 }
 
@@ -504,6 +506,7 @@ std::size_t Study::Deliver()
   if (count > 0)
   {
     this->AdoptStructures();
+    this->FollowCorrection();
     this->FollowByTouch();
   }
   return count;

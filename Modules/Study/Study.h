@@ -2,6 +2,7 @@
 
 #include "PalpateStudyModule.h"
 #include "QualityReport.h"
+#include "StudyCorrected.h"
 #include "StudyDrawn.h"
 #include "StudyDrillFiles.h"
 #include "StudyHistory.h"
@@ -53,6 +54,14 @@ public:
   StudyTouch& Touch() { return this->Felt; }
   /// The organ that is drawn by touch.
   const StudyDrawn& Drawn() const { return this->Organ; }
+  /// The structure that is being corrected.
+  StudyCorrected& Corrected() { return this->Correcting; }
+  /// See StudyCorrected::LetGo; touch is updated.
+  void LetGoOfCorrected(bool isHeld)
+  {
+    this->Correcting.LetGo(isHeld);
+    this->FollowByTouch();
+  }
   /// Contacts that can be touched now.
   std::vector<SceneContact> Contacts() const;
   StudyJobs& Jobs() { return this->Work; }
@@ -181,6 +190,11 @@ public:
 private:
   void Begin(const StudyState& state, const std::filesystem::path& file);
   void Follow();
+  void FollowCorrection()
+  {
+    this->Correcting.Follow(this->State(), this->State().Correction, this->State().SegmentationFile,
+                            this->Made.Newest<Segmentation>(SceneStep::Segmentation));
+  }
   bool FollowIf(bool isChanged);
   void ChangeByFile(const std::string& message, const StudyState& next);
   void AdoptStructures();
@@ -197,6 +211,7 @@ private:
   StudyJobs Work;
   StudyPipeline Made{Work};
   StudyDrawn Organ{Work};
+  StudyCorrected Correcting{Work};
   StudyTouch Felt;
   StudyDrillFiles DrillFiles{Work};
   StudyWriting Written{Work};

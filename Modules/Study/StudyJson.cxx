@@ -1,5 +1,6 @@
 #include "StudyJson.h"
 
+#include "CorrectionFile.h"
 #include "JsonText.h"
 #include "Refusal.h"
 #include "SceneJson.h"
@@ -22,6 +23,7 @@ const std::initializer_list<const char*> SliceAxesWords{"patient", "volume"};
 const std::initializer_list<const char*> MixingWords{"blend", "checkerboard", "curtain"};
 const std::initializer_list<const char*> MeasurementWords{
     "line", "angle", "curve", "surface-curve", "plane", "gap", "thickness"};
+const std::initializer_list<const char*> NeighborWords{"stop", "overlap", "overwrite"};
 const std::initializer_list<const char*> ColorWords{"grey", "hot",   "blue-to-yellow",
                                                     "red",  "green", "blue"};
 const std::initializer_list<const char*> PresetWords{"ct-bone", "ct-soft-tissue", "mr",
@@ -92,6 +94,16 @@ void ExchangeDrawing(JsonFields& fields, StudyDrawing& drawing)
   fields.Exchange("touchable", drawing.IsTouchable);
 }
 
+void ExchangeCorrection(JsonFields& fields, StudyCorrection& correction)
+{
+  fields.Exchange("structure", correction.StructureId, 0, std::numeric_limits<int>::max());
+  fields.ExchangeJson(
+      "steps", [&correction] { return CorrectionJson(correction.Steps); },
+      [&correction](const nlohmann::json& list, const std::filesystem::path& file)
+      { correction.Steps = CorrectionsOf(list, file); });
+  fields.Exchange("neighbours", correction.Neighbors, NeighborWords);
+}
+
 void ExchangeRendering(JsonFields& fields, StudyRendering& rendering)
 {
   fields.Exchange("seen", rendering.IsShown);
@@ -158,6 +170,10 @@ void ExchangeStudy(JsonFields& fields, StudyState& state, std::filesystem::path&
   if (fields.IsReading() || !(state.Drawing == StudyDrawing()))
   {
     fields.ExchangeObject("drawing", state.Drawing, ExchangeDrawing);
+  }
+  if (fields.IsReading() || !(state.Correction == StudyCorrection()))
+  {
+    fields.ExchangeObject("correction", state.Correction, ExchangeCorrection);
   }
   fields.ExchangeObject("view", state.View, ExchangeView);
   fields.RefuseOthers();

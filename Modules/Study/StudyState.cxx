@@ -27,7 +27,7 @@ auto Fields(const StudyVolume& v)
 auto Fields(const StudyState& s)
 {
   return std::tie(s.VolumeFile, s.DicomSeries, s.Rendering, s.Volumes, s.SegmentationFile,
-                  s.Landmarks, s.Measurements, s.Drawing, s.View);
+                  s.Landmarks, s.Measurements, s.Drawing, s.Correction, s.View);
 }
 } // namespace
 

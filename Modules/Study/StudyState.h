@@ -2,6 +2,7 @@
 
 #include "PalpateStudyModule.h"
 #include "SceneSettings.h"
+#include "StudyCorrection.h"
 #include "StudyDrawing.h"
 #include "StudyMeasurement.h"
 #include "VolumeColors.h"
@@ -81,6 +82,7 @@ struct StudyState : SceneSettings
   std::vector<StudyLandmark> Landmarks;
   std::vector<StudyMeasurement> Measurements; ///< at most one is open
   StudyDrawing Drawing;
+  StudyCorrection Correction;
   StudyView View;
 };
 

@@ -218,6 +218,28 @@ StudyState WithStructure(const StudyState& state, const SceneStructure& structur
   return next;
 }
 
+StudyState WithKeptCorrection(const StudyState& state, const std::string& name,
+                              const std::filesystem::path& file)
+{
+  StudyState next = state;
+  next.Correction.StructureId = 0;
+  next.Correction.Steps.clear();
+  for (SceneStructure& start : next.Structures)
+  {
+    if (start.Id == state.Correction.StructureId)
+    {
+      SceneStructure kept = start;
+      kept.Id = 0;
+      kept.Name = name;
+      kept.File = StudyPath(file);
+      start.IsVisible = false;
+      start.IsTouchable = false;
+      return WithStructure(next, kept);
+    }
+  }
+  return next;
+}
+
 SceneStructure ThresholdStructure(const StudyState& state, const StudyThreshold& threshold)
 {
   if (state.VolumeFile.empty())

@@ -5,6 +5,7 @@
 #include "StudyState.h"
 
 #include <filesystem>
+#include <string>
 
 namespace palpate
 {
@@ -32,6 +33,12 @@ PALPATESTUDY_EXPORT StudyState WithAddedStructuresOf(const StudyState& state,
 /// use.
 PALPATESTUDY_EXPORT StudyState WithStructure(const StudyState& state,
                                              const SceneStructure& structure);
+
+/// The state with the corrected structure, which has been written to a file with the same labels,
+/// as one of this name; the structure that was corrected stays, but is neither shown nor touched,
+/// and nothing is being corrected any more.
+PALPATESTUDY_EXPORT StudyState WithKeptCorrection(const StudyState& state, const std::string& name,
+                                                  const std::filesystem::path& file);
 
 /// The structure of values of the state's volume. Throws InputError if there is no volume, for
 /// values that are not numbers or not in order, and if the limiting structure is not a label.

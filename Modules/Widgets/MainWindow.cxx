@@ -38,6 +38,8 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace palpate
 {
 namespace
@@ -248,20 +250,15 @@ void MainWindow::MakePanels()
   this->tabifyDockWidget(related, checked);
   QDockWidget* drawn = this->MakeDrawing();
   this->tabifyDockWidget(checked, drawn);
-  this->tabifyDockWidget(drawn, this->MakeMatching());
+  QDockWidget* corrected = this->MakeCorrection();
+  this->tabifyDockWidget(drawn, corrected);
+  this->tabifyDockWidget(corrected, this->MakeMatching());
   this->resizeDocks({plots}, {BottomHeight}, Qt::Vertical);
-  connect(this->Marks->Tool(), &QAction::toggled, this,
-          [marks](bool isOn)
-          {
-            if (isOn)
-            {
-              marks->show();
-              marks->raise();
-            }
-          });
+  RaiseWith(this->Marks->Tool(), marks);
   this->Touching->addAction(this->Marks->TouchTool());
-  this->Touching->addActions({this->Drawing->Mode(), this->Drawing->TouchTool(),
-                              this->Matching->Mode(), this->Matching->HoldTool()});
+  this->Touching->addActions({this->Drawing->Mode(), this->Drawing->TouchTool()});
+  this->Touching->addActions({this->Correcting->Mode(), this->Correcting->GripTool()});
+  this->Touching->addActions({this->Matching->Mode(), this->Matching->HoldTool()});
   // In the views only: elsewhere these keys end an input.
   for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
   {
@@ -272,7 +269,7 @@ void MainWindow::MakePanels()
   auto* tools = new ToolRow(this->Study, this);
   tools->Add(this->Files->Tools());
   tools->Add(this->Viewing->Tools());
-  tools->Add({this->Marks->Tool(), this->Drawing->Mode()});
+  tools->Add(this->Modes());
   tools->Add(this->Touching->Tools());
   this->addToolBar(tools);
 }
@@ -300,7 +297,41 @@ QDockWidget* MainWindow::MakeDrawing()
   this->Drawn = new DrawingPanel(this->Study, *this->Drawing, this->Questions, this);
   connect(this->Drawn, &DrawingPanel::Chosen, this, &MainWindow::LookAtPlace);
   QDockWidget* dock = this->AddPanel("Drawn organ", this->Drawn);
-  connect(this->Drawing->Mode(), &QAction::toggled, dock,
+  RaiseWith(this->Drawing->Mode(), dock);
+  return dock;
+}
+
+QDockWidget* MainWindow::MakeCorrection()
+{
+  auto* structures = this->findChild<StructuresPanel*>();
+  const auto chosen = [this, structures]
+  {
+    std::vector<int> ids = structures->SelectedIds();
+    for (const SceneStructure& structure : this->Study.State().Structures)
+    {
+      ids.push_back(structure.Id);
+    }
+    const auto found = std::find_if(ids.begin(), ids.end(),
+                                    [this](int id)
+                                    {
+                                      const auto* one = FindStructure(this->Study.State(), id);
+                                      return one != nullptr && StudyCorrected::IsCorrectable(*one);
+                                    });
+    return found != ids.end() ? *found : 0;
+  };
+  this->Correcting = new CorrectionLink(
+      this->Study, this->Shown, *this->Grid, chosen,
+      [this] { return this->Marks->Placer()->TouchedPoint().PointWorld; }, this);
+  auto* panel =
+      new CorrectionPanel(this->Study, *this->Correcting, this->Questions, this->Shown, this);
+  QDockWidget* dock = this->AddPanel("Correction", panel);
+  RaiseWith(this->Correcting->Mode(), dock);
+  return dock;
+}
+
+void MainWindow::RaiseWith(QAction* mode, QDockWidget* dock)
+{
+  connect(mode, &QAction::toggled, dock,
           [dock](bool isOn)
           {
             if (isOn)
@@ -309,7 +340,12 @@ QDockWidget* MainWindow::MakeDrawing()
               dock->raise();
             }
           });
-  return dock;
+}
+
+QList<QAction*> MainWindow::Modes() const
+{
+  return {this->Marks->Tool(), this->Drawing->Mode(), this->Correcting->Mode(),
+          this->Matching->Mode()};
 }
 
 QDockWidget* MainWindow::MakeMatching()
@@ -317,40 +353,29 @@ QDockWidget* MainWindow::MakeMatching()
   this->Matching = new MatchingLink(this->Study, this->Shown, *this->Grid, this);
   QDockWidget* dock =
       this->AddPanel("Held organ", new MatchingPanel(this->Study, this->Shown, *this->Matching,
-                                                         this->Questions, this));
-  connect(this->Matching->Mode(), &QAction::toggled, dock,
-          [dock](bool isOn)
-          {
-            if (isOn)
-            {
-              dock->show();
-              dock->raise();
-            }
-          });
+                                                     this->Questions, this));
+  RaiseWith(this->Matching->Mode(), dock);
   return dock;
-}
-
-std::array<QAction*, 3> MainWindow::Modes() const
-{
-  return {this->Marks->Tool(), this->Drawing->Mode(), this->Matching->Mode()};
 }
 
 // One mode of the mouse at a time.
 void MainWindow::TakeMode(QAction* mode, bool isOn)
 {
+  bool isAny = false;
   for (QAction* other : this->Modes())
   {
     if (isOn && other != mode)
     {
       other->setChecked(false);
     }
+    isAny = isAny || other->isChecked();
   }
-  const bool areStrokes = this->Drawing->Mode()->isChecked() || this->Matching->Mode()->isChecked();
-  for (const SliceOrientation orientation : AllSliceOrientations)
+  this->findChild<TouchLink*>()->LeaveClicks(isAny);
+  const bool areStrokes = isAny && !this->Marks->Tool()->isChecked();
+  for (ViewPane* pane : this->Grid->Panes())
   {
-    this->Grid->Slice(orientation)->SetStrokes(areStrokes);
+    pane->SetStrokes(areStrokes);
   }
-  this->findChild<TouchLink*>()->LeaveClicks(this->Marks->IsAdding() || areStrokes);
 }
 
 void MainWindow::LookAtPlace(const Vector3& place)
@@ -384,8 +409,9 @@ void MainWindow::ConnectViews()
       *this->findChild<StructuresPanel*>(), this->Shown, *this->Grid,
       [this]
       {
-        return !this->Marks->IsAdding() && !this->Drawing->Mode()->isChecked() &&
-               !this->Matching->Mode()->isChecked();
+        const QList<QAction*> modes = this->Modes();
+        return std::none_of(modes.begin(), modes.end(),
+                            [](const QAction* mode) { return mode->isChecked(); });
       },
       this);
   new VolumeRenderingLink(this->Study, this->Shown, *this->Grid->Space(), this);
@@ -433,6 +459,7 @@ void MainWindow::ShowState()
 {
   {
     const QScopedValueRollback<bool> showing(this->IsShowing, true);
+    this->Shown.ShowCorrection(this->Study.State(), this->Study.Current().Corrected());
     this->Shown.Show(this->Study.State(), this->Study.Current().Pipeline());
     this->Grid->TakeContents();
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "CorrectionPanel.h"
 #include "DrawingPanel.h"
 #include "FileMenu.h"
 #include "FileQuestions.h"
@@ -64,8 +65,10 @@ private:
   QDockWidget* AddPanel(const QString& title, QWidget* panel);
   QDockWidget* MakeCheck();
   QDockWidget* MakeDrawing();
+  QDockWidget* MakeCorrection();
   QDockWidget* MakeMatching();
-  std::array<QAction*, 3> Modes() const; ///< of the mouse
+  static void RaiseWith(QAction* mode, QDockWidget* dock);
+  QList<QAction*> Modes() const;
   void TakeMode(QAction* mode, bool isOn);
   void ShowState();
   void ShowTitle();
@@ -95,6 +98,7 @@ private:
   DrawingLink* Drawing = nullptr;
   DrawingPanel* Drawn = nullptr;
   MatchingLink* Matching = nullptr;
+  CorrectionLink* Correcting = nullptr;
   QMenu* Panels = nullptr;
   QAction* Undo = nullptr;
   QAction* Redo = nullptr;

@@ -1,14 +1,7 @@
 #include "IcosahedronDirections.h"
-#include "ImageIndexToWorld.h"
 #include "SegmentationFile.h"
+#include "TrueMask.h"
 #include "TutorialWindow.h"
-
-#include "vtkDataArray.h"
-#include "vtkPointData.h"
-
-#include <Eigen/LU>
-#include <array>
-#include <cmath>
 
 namespace palpate::drawing_tutorial_test
 {
@@ -31,11 +24,6 @@ protected:
                "prior.json"});
     this->Run({"phantom", "--seed", "9", "--output", "patient"});
   }
-  void Run(const std::vector<std::string>& words)
-  {
-    const test::CommandRun run = test::RunPalpate(words, this->Phantom.Folder.Path());
-    ASSERT_EQ(run.Code, 0) << run.Errors;
-  }
   void OpenVolume()
   {
     this->DropFiles({"patient/volume.nii.gz"});
@@ -56,27 +44,7 @@ protected:
     const SlicePane* axial = this->Window->Views()->Slice(SliceOrientation::Axial);
     Click(axial->Canvas(), PlaceIn(*axial, world));
   }
-  // Where the mask that a person would see ends, on the line from the middle to a mark.
-  Vector3 EdgeTowards(const Vector3& mark) const
-  {
-    const Vector3 out = (mark - this->Middle).normalized();
-    vtkImageData* mask = this->Truth.Layers[0];
-    const IndexToWorld toWorld = IndexToWorldOf(mask);
-    const int* size = mask->GetDimensions();
-    Vector3 edge = this->Middle;
-    for (double r = 0.0; r < 60.0; r += 0.1)
-    {
-      const Vector3 index = toWorld.Axes.inverse() * (this->Middle + r * out - toWorld.Origin);
-      const std::array<int, 3> voxel{{static_cast<int>(std::lround(index.x())),
-                                      static_cast<int>(std::lround(index.y())),
-                                      static_cast<int>(std::lround(index.z()))}};
-      const bool isInside = voxel[0] >= 0 && voxel[0] < size[0] && voxel[1] >= 0 &&
-                            voxel[1] < size[1] && voxel[2] >= 0 && voxel[2] < size[2] &&
-                            mask->GetScalarComponentAsDouble(voxel[0], voxel[1], voxel[2], 0) > 0.0;
-      edge = isInside ? this->Middle + r * out : edge;
-    }
-    return edge;
-  }
+  Vector3 EdgeTowards(const Vector3& mark) const { return this->Seen.EdgeFrom(this->Middle, mark); }
 
   // Touches where the outline leaves the edge most, as an eye sees it.
   void TouchTheWorst()
@@ -97,28 +65,14 @@ protected:
     }
     this->ClickAt(worst);
   }
-  double DiceOf(vtkImageData* mask) const
-  {
-    double both = 0.0;
-    double sum = 0.0;
-    for (vtkIdType n = 0; n < mask->GetNumberOfPoints(); ++n)
-    {
-      const bool one = mask->GetPointData()->GetScalars()->GetTuple1(n) > 0.0;
-      const bool other = this->Truth.Layers[0]->GetPointData()->GetScalars()->GetTuple1(n) > 0.0;
-      both += one && other ? 2.0 : 0.0;
-      sum += (one ? 1.0 : 0.0) + (other ? 1.0 : 0.0);
-    }
-    return both / sum;
-  }
-
-  Segmentation Truth;
+  test::TrueMask Seen;
   Vector3 Middle = Vector3::Zero();
 };
 
 TEST_F(DrawingTutorial, SixStepsLeadToAMask)
 {
   ASSERT_NO_FATAL_FAILURE(this->MakePrior());
-  this->Truth = ReadSegmentation(this->File("patient/mask.nii.gz"));
+  this->Seen.Truth = ReadSegmentation(this->File("patient/mask.nii.gz"));
   ASSERT_NO_FATAL_FAILURE(this->OpenVolume());
   const DrawnOrgan& organ = this->Study->Current().Drawn().Organ();
   this->ClickAt(this->Middle);
@@ -139,8 +93,8 @@ TEST_F(DrawingTutorial, SixStepsLeadToAMask)
   this->Button("draw-keep")->click();
   WaitUntil([this] { return !this->Study->State().Structures.empty(); });
   const Segmentation kept = ReadSegmentation(this->File("gland/mask.nii.gz"));
-  ASSERT_EQ(kept.Layers[0]->GetNumberOfPoints(), this->Truth.Layers[0]->GetNumberOfPoints());
-  EXPECT_GT(this->DiceOf(kept.Layers[0]), 0.92) << "12 touches";
+  ASSERT_EQ(kept.Layers[0]->GetNumberOfPoints(), this->Seen.Truth.Layers[0]->GetNumberOfPoints());
+  EXPECT_GT(this->Seen.DiceOf(kept.Layers[0]), 0.92) << "12 touches";
 }
 } // namespace
 } // namespace palpate::drawing_tutorial_test

@@ -33,6 +33,12 @@ protected:
   }
 
   std::filesystem::path File(const std::string& name) const { return this->Phantom.Folder / name; }
+  /// The command line, in the folder of File.
+  void Run(const std::vector<std::string>& words)
+  {
+    const CommandRun run = RunPalpate(words, this->Phantom.Folder.Path());
+    ASSERT_EQ(run.Code, 0) << run.Errors;
+  }
   void DropFiles(const std::vector<std::string>& names)
   {
     QMimeData data;

@@ -56,7 +56,8 @@ CorrectedMask::CorrectedMask(VoxelMask mask, const IndexToWorld& toWorld,
                              const std::array<int, 3>& imageSize, MaskCorrection::Barrier barrier)
     : ToWorld(toWorld), ImageSize(imageSize), Closed(std::move(barrier))
 {
-  this->Stages.push_back({std::move(mask), {}, {}, {}});
+  this->Stages.push_back(
+      {std::make_shared<const VoxelMask>(std::move(mask)), nullptr, {}, nullptr});
 }
 
 Status CorrectedMask::Prepare()
@@ -71,12 +72,12 @@ Status CorrectedMask::Prepare()
     return Status::Success();
   }
   MaskCorrection surface;
-  Status status = MaskCorrection::Make(stage.Start, this->ToWorld, this->ImageSize, surface);
+  Status status = MaskCorrection::Make(*stage.Start, this->ToWorld, this->ImageSize, surface);
   if (status.IsOk())
   {
     stage.Pulls = SurfaceCorrection(surface.Surface().Points, surface.Normals(),
                                     SurfaceCorrection::Motion::Free);
-    stage.Surface = std::move(surface);
+    stage.Surface = std::make_shared<const MaskCorrection>(std::move(surface));
   }
   return status;
 }
@@ -148,7 +149,8 @@ Status CorrectedMask::Edit(const CorrectionStep& step)
   {
     return Status::Failure("would have no voxels left");
   }
-  this->Stages.push_back({std::move(mask), {}, {}, {}});
+  this->Stages.push_back(
+      {std::make_shared<const VoxelMask>(std::move(mask)), nullptr, {}, nullptr});
   return Status::Success();
 }
 
@@ -176,11 +178,12 @@ const VoxelMask& CorrectedMask::Mask()
   Stage& stage = this->Stages.back();
   if (stage.Pulls.Pulls().empty())
   {
-    return stage.Start;
+    return *stage.Start;
   }
   if (!stage.Result)
   {
-    stage.Result = stage.Surface->Moved(stage.Pulls.Displacements(), this->Closed);
+    stage.Result = std::make_shared<const VoxelMask>(
+        stage.Surface->Moved(stage.Pulls.Displacements(), this->Closed));
   }
   return *stage.Result;
 }

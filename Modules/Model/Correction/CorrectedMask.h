@@ -7,14 +7,15 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <memory>
 #include <vector>
 
 namespace palpate
 {
 /// A mask under correction: a function of the mask at the start and the list of steps. Pulls that
 /// follow each other move one surface, that of the mask before them; an edit makes a new one. Each
-/// step can be undone, back to the start. World mm, patient LPS. Not thread-safe.
+/// step can be undone, back to the start. Copies share the masks before their edits, and may be
+/// used in other threads. World mm, patient LPS. Not thread-safe.
 class CorrectedMask
 {
 public:
@@ -32,6 +33,9 @@ public:
   /// Removes the last step; false if there is none.
   bool Undo();
 
+  /// What is corrected.
+  const VoxelMask& Start() const noexcept { return *this->Stages.front().Start; }
+  const IndexToWorld& Grid() const noexcept { return this->ToWorld; }
   const std::vector<CorrectionStep>& Steps() const noexcept { return this->List; }
   /// The mask as it is now; as MaskCorrection::Moved. Allocates; after a pull some 0.1 s, else
   /// fast.
@@ -43,10 +47,10 @@ public:
 private:
   struct Stage
   {
-    VoxelMask Start;
-    std::optional<MaskCorrection> Surface; ///< made for the first pull
+    std::shared_ptr<const VoxelMask> Start;
+    std::shared_ptr<const MaskCorrection> Surface; ///< made for the first pull
     SurfaceCorrection Pulls;
-    std::optional<VoxelMask> Result; ///< of the pulls
+    std::shared_ptr<const VoxelMask> Result; ///< of the pulls
   };
 
   Status Edit(const CorrectionStep& step);

@@ -30,6 +30,23 @@ struct PlaneCut
   Vector3 Normal = Vector3::UnitZ();    ///< of any length
 };
 
+inline bool operator==(const IslandRemoval& /*a*/, const IslandRemoval& /*b*/)
+{
+  return true;
+}
+inline bool operator==(const CavityFilling& /*a*/, const CavityFilling& /*b*/)
+{
+  return true;
+}
+inline bool operator==(const SurfaceSmoothing& a, const SurfaceSmoothing& b)
+{
+  return a.Deviation == b.Deviation;
+}
+inline bool operator==(const PlaneCut& a, const PlaneCut& b)
+{
+  return a.PointWorld == b.PointWorld && a.Normal == b.Normal;
+}
+
 /// One correction of a mask; of a model, pulls only.
 using CorrectionStep =
     std::variant<SurfacePull, IslandRemoval, CavityFilling, SurfaceSmoothing, PlaneCut>;

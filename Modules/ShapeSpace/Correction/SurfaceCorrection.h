@@ -53,6 +53,9 @@ public:
   const Eigen::Matrix3Xd& Displacements() const noexcept { return this->Moved; }
   /// Of any point of the surface at the start and its direction (mm).
   Vector3 DisplacementAt(const Vector3& point, const Vector3& direction) const noexcept;
+  /// The number of the point that is nearest to a place now, which a pull at that place moves; 0 if
+  /// there are no points.
+  std::size_t NearestNow(const Vector3& place) const;
   /// Where a point is now.
   Vector3 PointNow(std::size_t number) const;
 
@@ -68,7 +71,6 @@ private:
   };
 
   Status Check(const SurfacePull& pull) const;
-  std::size_t NearestNow(const Vector3& place) const;
   Field FieldOf(const SurfacePull& pull) const;
   Vector3 ValueOf(const Field& field, const Vector3& point,
                   const Vector3& direction) const noexcept;

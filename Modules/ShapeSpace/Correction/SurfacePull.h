@@ -19,4 +19,10 @@ struct SurfacePull
   double Width = 8.0;
   double SecondWidth = 0.0;
 };
+
+inline bool operator==(const SurfacePull& a, const SurfacePull& b)
+{
+  return a.PlaceWorld == b.PlaceWorld && a.Displacement == b.Displacement &&
+         a.TargetWorld == b.TargetWorld && a.Width == b.Width && a.SecondWidth == b.SecondWidth;
+}
 } // namespace palpate

@@ -236,6 +236,34 @@ inline StudyDrawing RandomDrawing(Random& random)
   return drawing;
 }
 
+/// Steps of all kinds.
+inline StudyCorrection RandomCorrection(Random& random)
+{
+  StudyCorrection correction;
+  correction.StructureId = RandomWhole(random, 0, 300);
+  correction.Neighbors = static_cast<NeighborPolicy>(RandomWhole(random, 0, 2));
+  for (int i = RandomWhole(random, 0, 5); i > 0; --i)
+  {
+    SurfacePull pull;
+    pull.PlaceWorld = RandomPlace(random);
+    pull.Width = RandomNumber(random, 1.0, 20.0);
+    pull.SecondWidth = RandomChoice(random) ? 0.0 : RandomNumber(random, 1.0, 20.0);
+    if (RandomChoice(random))
+    {
+      pull.TargetWorld = RandomPlace(random);
+    }
+    else
+    {
+      pull.Displacement = RandomNumber(random, -9.0, 9.0);
+    }
+    const std::array<CorrectionStep, 5> steps{{pull, IslandRemoval{}, CavityFilling{},
+                                               SurfaceSmoothing{RandomNumber(random, 0.5, 3.0)},
+                                               PlaneCut{RandomPlace(random), RandomPlace(random)}}};
+    correction.Steps.push_back(steps[random() % steps.size()]);
+  }
+  return correction;
+}
+
 inline StudyState RandomStudy(Random& random)
 {
   StudyState state;
@@ -257,6 +285,7 @@ inline StudyState RandomStudy(Random& random)
     state.Measurements.front().PointsWorld.resize(1);
   }
   state.Drawing = RandomDrawing(random);
+  state.Correction = RandomCorrection(random);
   RandomizeFit(random, state.Fit);
   RandomizeTouch(random, state);
   state.View = RandomView(random);

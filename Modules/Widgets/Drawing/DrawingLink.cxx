@@ -47,21 +47,21 @@ DrawingLink::DrawingLink(StudyController& study, ViewContents& contents, ViewGri
 void DrawingLink::FollowSlice(SlicePane* slice)
 {
   connect(slice, &SlicePane::StrokeBegun, this,
-          [this, slice](const Vector3& point)
+          [this, slice](double x, double y)
           {
-            if (!this->Drawing->isChecked())
+            if (this->Drawing->isChecked())
             {
-              return; // it is another mode's
+              slice->Accept();
+              this->StrokePixel = slice->PixelRight().norm();
+              this->Stroke = {slice->PointAt(x, y)};
             }
-            this->StrokePixel = slice->PixelRight().norm();
-            this->Stroke = {point};
           });
   connect(slice, &SlicePane::StrokeMoved, this,
-          [this](const Vector3& point)
+          [this, slice](double x, double y)
           {
             if (!this->Stroke.empty())
             {
-              this->Stroke.push_back(point);
+              this->Stroke.push_back(slice->PointAt(x, y));
               StudyMeasurement line;
               line.Kind = MeasurementKind::Curve;
               line.PointsWorld = this->Stroke;
@@ -80,14 +80,10 @@ void DrawingLink::Choose(Next next)
   }
 }
 
-void DrawingLink::ShowMode(bool isOn)
+void DrawingLink::ShowMode()
 {
   this->Stroke.clear();
   this->Contents.ShowPreview(std::nullopt);
-  for (const SliceOrientation orientation : AllSliceOrientations)
-  {
-    this->Views.Slice(orientation)->SetStrokes(isOn);
-  }
   this->IsContactTaken = true; // one that was there before
   this->ShowDrawing();
 }

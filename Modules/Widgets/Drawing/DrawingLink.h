@@ -48,7 +48,7 @@ Q_SIGNALS:
 
 private:
   void FollowSlice(SlicePane* slice);
-  void ShowMode(bool isOn);
+  void ShowMode();
   void ShowDrawing();
   void TakeStroke(bool isOutside);
   void TakePoint(Next meant, const Vector3& pointWorld);

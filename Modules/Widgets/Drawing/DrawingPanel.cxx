@@ -26,6 +26,8 @@ namespace palpate
 {
 namespace
 {
+constexpr int LongestMessage = 170; // letters
+
 QTableWidgetItem* TouchCell(const QString& text)
 {
   auto* item = new QTableWidgetItem(text);
@@ -65,15 +67,14 @@ DrawingPanel::DrawingPanel(StudyController& study, DrawingLink& link,
       Prior(this->MakeButton({}, "draw-choose-prior", &DrawingPanel::ChoosePrior)),
       Sigma(new QDoubleSpinBox(this)), Touchable(new QCheckBox("Can be felt", this)),
       Contacts(new QCheckBox("Each contact", this)), Keeping(new QPushButton("Keep...", this)),
-      Line(MakePlainLabel("draw-line", this)), KeptLine(MakePlainLabel("draw-kept", this)),
+      Line(new SentenceLabel("draw-line", LongestMessage, this)),
+      KeptLine(MakePlainLabel("draw-kept", this)),
       Job(new PanelJob(study, this->Keeping, this->KeptLine, this))
 {
   this->Table->setObjectName("touches");
   this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   this->Table->verticalHeader()->hide();
   this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
-  this->Line->setWordWrap(true);
-  this->Line->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   this->MakeChoices();
   auto* row = new QHBoxLayout;
   row->addWidget(this->Table, 1);
@@ -181,17 +182,6 @@ QWidget* DrawingPanel::MakeButtons()
   return buttons;
 }
 
-// Room for the longest message, whatever it says now: views must not move under a pointer that
-// draws.
-void DrawingPanel::resizeEvent(QResizeEvent* event)
-{
-  constexpr int LongestMessage = 170; // letters
-  const int letters = std::max(1, this->width() / this->fontMetrics().averageCharWidth());
-  const int lines = (LongestMessage + letters - 1) / letters;
-  this->Line->setFixedHeight(std::clamp(lines, 1, 3) * this->fontMetrics().lineSpacing() + 2);
-  QWidget::resizeEvent(event);
-}
-
 void DrawingPanel::SetLengthUnit(LengthUnit unit)
 {
   this->Unit = unit;
@@ -206,12 +196,7 @@ void DrawingPanel::ShowState()
   this->Touchable->setChecked(drawing.IsTouchable);
   this->ShowTouches();
   this->ShowPrior();
-  const QString sentence = this->Sentence();
-  if (sentence != this->Line->text())
-  {
-    this->Line->setText(sentence);
-    this->Line->setToolTip(PlainToolTip(sentence));
-  }
+  this->Line->Say(this->Sentence());
   const DrawnOrgan& organ = this->Study.Current().Drawn().Organ();
   this->Keeping->setEnabled(this->Job->IsRunning() ||
                             (organ.Surface() != nullptr && organ.Refusal().empty()));

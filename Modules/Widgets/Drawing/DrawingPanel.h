@@ -3,6 +3,7 @@
 #include "DrawingLink.h"
 #include "FileQuestions.h"
 #include "PanelJob.h"
+#include "SentenceLabel.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -32,9 +33,6 @@ public:
 Q_SIGNALS:
   /// The user chose a touch: show this point (world, mm).
   void Chosen(const Vector3& pointWorld);
-
-protected:
-  void resizeEvent(QResizeEvent* event) override;
 
 private:
   QWidget* MakeButtons();
@@ -66,7 +64,7 @@ private:
   QCheckBox* Touchable;
   QCheckBox* Contacts;
   QPushButton* Keeping;
-  QLabel* Line;
+  SentenceLabel* Line;
   QLabel* KeptLine;
   PanelJob* Job;
 };

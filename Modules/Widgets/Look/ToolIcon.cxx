@@ -118,6 +118,20 @@ QPainterPath DrawPath()
   return path;
 }
 
+// A surface that an arrow pulls.
+QPainterPath PullPath()
+{
+  QPainterPath path(QPointF(2, 19));
+  path.cubicTo(QPointF(9, 19), QPointF(8, 12), QPointF(12, 12));
+  path.cubicTo(QPointF(16, 12), QPointF(15, 19), QPointF(22, 19));
+  path.moveTo(12, 9);
+  path.lineTo(12, 2);
+  path.moveTo(9, 5);
+  path.lineTo(12, 2);
+  path.lineTo(15, 5);
+  return path;
+}
+
 void Draw(ToolSign sign, QPainter& painter)
 {
   switch (sign)
@@ -138,6 +152,8 @@ void Draw(ToolSign sign, QPainter& painter)
     return painter.drawPath(LandmarkPath());
   case ToolSign::Draw:
     return painter.drawPath(DrawPath());
+  case ToolSign::Pull:
+    return painter.drawPath(PullPath());
   case ToolSign::Screenshot:
     return painter.drawPath(ScreenshotPath());
   case ToolSign::Touch:

@@ -14,6 +14,7 @@ enum class ToolSign
   Fit,
   Landmark,
   Draw,
+  Pull,
   Screenshot,
   Touch,
   Record,

@@ -48,9 +48,16 @@ MatchingLink::MatchingLink(StudyController& study, ViewContents& contents, ViewG
 void MatchingLink::FollowSlice(SlicePane* slice)
 {
   connect(slice, &SlicePane::StrokeBegun, this,
-          [this](const Vector3& point, bool hasControl) { this->BeginStroke(point, hasControl); });
+          [this, slice](double x, double y, bool hasControl)
+          {
+            if (this->Matching->isChecked())
+            {
+              slice->Accept();
+              this->BeginStroke(slice->PointAt(x, y), hasControl);
+            }
+          });
   connect(slice, &SlicePane::StrokeMoved, this,
-          [this, slice](const Vector3& point) { this->MoveStroke(*slice, point); });
+          [this, slice](double x, double y) { this->MoveStroke(*slice, slice->PointAt(x, y)); });
   connect(slice, &SlicePane::StrokeEnded, this,
           [this]
           {
@@ -131,10 +138,6 @@ void MatchingLink::FollowSurfaces()
 
 void MatchingLink::ShowMode(bool isOn)
 {
-  for (const SliceOrientation orientation : AllSliceOrientations)
-  {
-    this->Views.Slice(orientation)->SetStrokes(isOn);
-  }
   if (isOn && this->Held.Is() == HeldOrgan::Phase::Absent)
   {
     this->Take();
@@ -159,10 +162,6 @@ void MatchingLink::ShowDragging()
 
 void MatchingLink::BeginStroke(const Vector3& point, bool turns)
 {
-  if (!this->Matching->isChecked())
-  {
-    return;
-  }
   this->Last = point;
   this->IsTurning = turns;
   if (this->Held.Is() != HeldOrgan::Phase::Carried)

@@ -148,7 +148,8 @@ protected:
     pane.Renderer()->SetWorldPoint(world.x(), world.y(), world.z(), 1.0);
     pane.Renderer()->WorldToDisplay();
     const double* display = pane.Renderer()->GetDisplayPoint();
-    return {display[0], pane.Canvas()->height() - 1 - display[1]};
+    const double ratio = pane.Canvas()->devicePixelRatioF();
+    return {display[0] / ratio, pane.Canvas()->height() - 1 - display[1] / ratio};
   }
   /// WaitUntil, with forces on or switched off. Any other fault ends the test: with a PacedClock
   /// the machine cannot be the cause.

@@ -34,6 +34,16 @@ void ShownMarks::ShowDrawing(const StudyDrawing& drawing, const std::vector<Vect
   }
 }
 
+void ShownMarks::ShowRing(const std::vector<Vector3>& ring, const std::string& text)
+{
+  if (this->Ring != ring || this->RingText != text)
+  {
+    this->Ring = ring;
+    this->RingText = text;
+    this->Update();
+  }
+}
+
 void ShownMarks::SetLengthUnit(LengthUnit unit)
 {
   this->Unit = unit;
@@ -59,6 +69,16 @@ void ShownMarks::Update()
     this->Add(*this->Preview);
   }
   this->AddDrawing();
+  if (!this->Ring.empty())
+  {
+    vtkNew<vtkPoints> line;
+    line->SetDataTypeToDouble();
+    for (const Vector3& place : this->Ring)
+    {
+      line->InsertNextPoint(place.data());
+    }
+    this->Shown->AddCurve(this->RingText.c_str(), this->Ring.front().data(), line, true);
+  }
 }
 
 void ShownMarks::AddDrawing()

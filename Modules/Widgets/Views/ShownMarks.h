@@ -6,6 +6,7 @@
 #include "vtkNew.h"
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace palpate
@@ -21,6 +22,9 @@ public:
 
   /// Touches of an organ, and where to touch it next (world, mm).
   void ShowDrawing(const StudyDrawing& drawing, const std::vector<Vector3>& next);
+
+  /// A closed line with a text, such as the width of a pull (world, mm); none: nothing.
+  void ShowRing(const std::vector<Vector3>& ring, const std::string& text);
 
   void SetLengthUnit(LengthUnit unit);
 
@@ -38,5 +42,7 @@ private:
   std::optional<StudyMeasurement> Preview;
   StudyDrawing Drawing;
   std::vector<Vector3> Next;
+  std::vector<Vector3> Ring;
+  std::string RingText;
 };
 } // namespace palpate

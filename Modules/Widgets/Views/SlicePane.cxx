@@ -78,53 +78,8 @@ void SlicePane::TellPoint()
 
 void SlicePane::SetStrokes(bool areOn)
 {
-  this->AreStrokesOn = areOn;
-  this->IsStroke = false;
+  ViewPane::SetStrokes(areOn);
   this->ShowHand(false);
-}
-
-bool SlicePane::eventFilter(QObject* object, QEvent* event)
-{
-  return (this->AreStrokesOn && this->TakeStroke(event)) || ViewPane::eventFilter(object, event);
-}
-
-// Returns whether nobody else gets the event.
-bool SlicePane::TakeStroke(QEvent* event)
-{
-  const QEvent::Type type = event->type();
-  const bool isMove = type == QEvent::MouseMove;
-  const bool isPress = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
-  if (!isMove && !isPress && type != QEvent::MouseButtonRelease)
-  {
-    return false;
-  }
-  const auto& mouse = static_cast<const QMouseEvent&>(*event);
-  const QPointF place = this->PlaceOf(mouse);
-  const Vector3 point = this->PointAt(place.x(), place.y());
-  if (isMove)
-  {
-    if (this->IsStroke)
-    {
-      Q_EMIT PointerMoved(place.x(), place.y());
-      Q_EMIT StrokeMoved(point);
-    }
-    return this->IsStroke;
-  }
-  if (mouse.button() != Qt::LeftButton)
-  {
-    return false;
-  }
-  if (isPress)
-  {
-    this->HadControl = mouse.modifiers() & Qt::ControlModifier;
-    Q_EMIT StrokeBegun(point, this->HadControl);
-  }
-  else if (this->IsStroke)
-  {
-    Q_EMIT StrokeEnded(this->HadControl);
-  }
-  this->IsStroke = isPress;
-  return true;
 }
 
 void SlicePane::SetNeurological(bool isNeurological)

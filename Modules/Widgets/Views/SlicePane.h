@@ -40,7 +40,7 @@ public:
   void ShowHand(bool isHand)
   {
     this->setCursor(isHand               ? Qt::PointingHandCursor
-                    : this->AreStrokesOn ? Qt::CrossCursor
+                    : this->HasStrokes() ? Qt::CrossCursor
                                          : Qt::ArrowCursor);
   }
   ///@{
@@ -49,16 +49,11 @@ public:
   Vector3 PixelUp() const { return this->PointAt(0.0, 1.0) - this->PointAt(0.0, 0.0); }
   ///@}
   void Lift() { this->Style->Lift(); }
-  /// Whether the left button draws strokes instead: then the style does not get it.
-  void SetStrokes(bool areOn);
+  void SetStrokes(bool areOn) override;
+  /// Of a place on the canvas (world, mm).
+  Vector3 PointAt(double x, double y) const;
 
 Q_SIGNALS:
-  ///@{
-  /// A stroke (world, mm), which may be a click; and whether Ctrl was held where it began.
-  void StrokeBegun(const Vector3& pointWorld, bool hasControl);
-  void StrokeMoved(const Vector3& pointWorld);
-  void StrokeEnded(bool hadControl);
-  ///@}
   /// The pointer may lead a tool from here (world, mm).
   void Aimed(const Vector3& pointWorld);
   void Pressed();
@@ -70,13 +65,8 @@ Q_SIGNALS:
   /// See Tapped.
   void TappedAt(const Vector3& pointWorld);
 
-protected:
-  bool eventFilter(QObject* object, QEvent* event) override;
-
 private:
-  bool TakeStroke(QEvent* event);
   void ChooseSlice(int number);
-  Vector3 PointAt(double x, double y) const;
   void TellPoint();
   void TellAim();
   void TellHand();
@@ -85,8 +75,5 @@ private:
   vtkNew<vtkInteractorStyleSlice> Style;
   std::set<vtkSmartPointer<vtkVolume>> Fields;
   std::optional<QPointF> Pointer; // over the canvas
-  bool AreStrokesOn = false;
-  bool IsStroke = false;
-  bool HadControl = false;
 };
 } // namespace palpate

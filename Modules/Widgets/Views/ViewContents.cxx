@@ -155,7 +155,7 @@ void ViewContents::ShowSurfaces(const StudyState& state, const StudyPipeline& pi
     {
       this->Touchable.insert(structure.Id);
     }
-    if (!structure.IsVisible)
+    if (!structure.IsVisible || this->Corrected.IsOf(structure.Id))
     {
       continue;
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "NearestOnSurfaces.h"
+#include "ShownCorrection.h"
 #include "ShownDrawing.h"
 #include "ShownImages.h"
 #include "ShownMarks.h"
@@ -54,6 +55,16 @@ public:
   void ShowDrawing(const DrawnOrgan& organ, const StudyDrawing& drawing, bool areMarked);
   /// A structure that a hand holds, where it holds it, instead of where it is; null: none is held.
   void ShowHeld(int id, vtkPolyData* surface);
+  /// The structure that is being corrected; before Show.
+  void ShowCorrection(const StudyState& state, const StudyCorrected& corrected)
+  {
+    this->Corrected.Show(state, corrected);
+  }
+  /// See ShownMarks.
+  void ShowRing(const std::vector<Vector3>& ring, const std::string& text)
+  {
+    this->Marks.ShowRing(ring, text);
+  }
   /// Of measurements' values.
   void SetLengthUnit(LengthUnit unit) { this->Marks.SetLengthUnit(unit); }
   /// `view` with the user's crosshair, window and opacity.
@@ -66,6 +77,7 @@ public:
   vtkProbeRepresentation* Probe() const { return this->ProbeShown; }
   const ShownDrawing& Drawing() const { return this->Drawn; }
   vtkSurfaceDisplay* Held() const { return this->HeldShown; }
+  const ShownCorrection& Correction() const { return this->Corrected; }
   vtkSurfaceDisplay* Workspace() const { return this->WorkspaceShown; }
   /// By the structure's label.
   const std::map<int, vtkSmartPointer<vtkSurfaceDisplay>>& Surfaces() const
@@ -119,6 +131,7 @@ private:
   vtkNew<vtkCrosshair> CrosshairShown;
   ShownMarks Marks;
   ShownDrawing Drawn;
+  ShownCorrection Corrected;
   vtkNew<vtkProbeRepresentation> ProbeShown;
   NearestOnSurfaces Around; // the tool
   vtkNew<vtkSurfaceDisplay> HeldShown;

@@ -1,6 +1,5 @@
 #include "ViewPane.h"
 
-#include "PointerPlace.h"
 #include "ViewContents.h"
 
 #include "vtkCommand.h"
@@ -72,6 +71,7 @@ void ViewPane::Show(vtkLinkedView* view, const ViewContents& contents)
   this->AddSurface(contents.Workspace());
   this->AddSurface(contents.Held());
   this->AddSurface(contents.Drawing().Display());
+  this->AddSurface(contents.Correction().Display());
 }
 
 void ViewPane::AddSurface(vtkSurfaceDisplay* surface)
@@ -138,10 +138,70 @@ void ViewPane::RenderNow()
   }
 }
 
-QPointF ViewPane::PlaceOf(const QMouseEvent& mouse) const
+void ViewPane::SetStrokes(bool areOn)
+{
+  this->AreStrokesOn = areOn;
+  this->IsStroke = false;
+}
+
+// Returns whether nobody else gets the event.
+bool ViewPane::TakeStroke(QEvent* event)
+{
+  const QEvent::Type type = event->type();
+  if (type == QEvent::Wheel)
+  {
+    return this->TakeWheel(static_cast<const QWheelEvent&>(*event));
+  }
+  const bool isMove = type == QEvent::MouseMove;
+  const bool isPress = type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick;
+  if (!isMove && !isPress && type != QEvent::MouseButtonRelease)
+  {
+    return false;
+  }
+  const auto& mouse = static_cast<const QMouseEvent&>(*event);
+  const QPointF place = this->PlaceOf(mouse);
+  if (isMove)
+  {
+    if (this->IsStroke)
+    {
+      Q_EMIT PointerMoved(place.x(), place.y());
+      Q_EMIT StrokeMoved(place.x(), place.y());
+    }
+    return this->IsStroke;
+  }
+  if (mouse.button() != Qt::LeftButton)
+  {
+    return false;
+  }
+  const bool wasStroke = this->IsStroke;
+  this->IsStroke = false;
+  if (isPress)
+  {
+    this->HadControl = mouse.modifiers() & Qt::ControlModifier;
+    this->IsAccepted = false;
+    Q_EMIT StrokeBegun(place.x(), place.y(), this->HadControl);
+    this->IsStroke = this->IsAccepted;
+    return this->IsStroke;
+  }
+  if (wasStroke)
+  {
+    Q_EMIT StrokeEnded(this->HadControl);
+  }
+  return wasStroke;
+}
+
+bool ViewPane::TakeWheel(const QWheelEvent& wheel)
+{
+  constexpr double Notch = 120.0; // of Qt: eighths of a degree
+  const QPointF place = this->OnCanvas(wheel.position());
+  this->IsAccepted = false;
+  Q_EMIT WheelTurned(place.x(), place.y(), wheel.angleDelta().y() / Notch);
+  return this->IsAccepted;
+}
+
+QPointF ViewPane::OnCanvas(const QPointF& place) const
 {
   const double ratio = this->RasterImage->devicePixelRatioF();
-  const QPointF place = PointerPlace(mouse);
   return {ratio * place.x(), ratio * (this->RasterImage->height() - 1 - place.y())};
 }
 
@@ -183,6 +243,10 @@ bool ViewPane::TakeMouse(QEvent* event)
 
 bool ViewPane::eventFilter(QObject* object, QEvent* event)
 {
+  if (this->AreStrokesOn && this->TakeStroke(event))
+  {
+    return true;
+  }
   switch (event->type())
   {
   case QEvent::MouseMove:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "PointerPlace.h"
 #include "ViewBanner.h"
 #include "ViewHeader.h"
 
@@ -11,6 +12,7 @@
 #include <QAction>
 #include <QMouseEvent>
 #include <QVTKOpenGLNativeWidget.h>
+#include <QWheelEvent>
 #include <QWidget>
 
 #include <utility>
@@ -68,6 +70,12 @@ public:
   /// Number of frames drawn.
   int RenderCount() const { return this->Drawn; }
 
+  /// Whether left presses and turns of the wheel are offered first (StrokeBegun, WheelTurned): what
+  /// is accepted there, the style does not get, nor the drag that follows.
+  virtual void SetStrokes(bool areOn);
+  bool HasStrokes() const { return this->AreStrokesOn; }
+  void Accept() { this->IsAccepted = true; }
+
   void AddSurface(vtkSurfaceDisplay* surface);
   void RemoveSurface(vtkSurfaceDisplay* surface);
   void SetAlongImage(bool isAlongImage);
@@ -90,6 +98,14 @@ Q_SIGNALS:
   /// Clicked and released at the same place, and not dragged.
   void Tapped(double x, double y);
   void Rendered();
+  ///@{
+  /// A stroke, which may be a click; and whether Ctrl was held where it began.
+  void StrokeBegun(double x, double y, bool hasControl);
+  void StrokeMoved(double x, double y);
+  void StrokeEnded(bool hadControl);
+  ///@}
+  /// By notches, away from the user.
+  void WheelTurned(double x, double y, double notches);
 
 protected:
   ViewHeader* Header() const { return this->Bar; }
@@ -102,9 +118,12 @@ protected:
   /// Draws soon, without Stir.
   void RequestFrame();
   /// The pointer over the canvas, in its pixels from the lower left.
-  QPointF PlaceOf(const QMouseEvent& mouse) const;
+  QPointF PlaceOf(const QMouseEvent& mouse) const { return this->OnCanvas(PointerPlace(mouse)); }
 
 private:
+  QPointF OnCanvas(const QPointF& place) const;
+  bool TakeStroke(QEvent* event);
+  bool TakeWheel(const QWheelEvent& wheel);
   bool TakeMouse(QEvent* event);
 
   QString Title;
@@ -116,6 +135,10 @@ private:
   vtkSmartPointer<vtkLinkedView> Shown;
   QPoint Pressed;
   bool IsPressed = false;
+  bool AreStrokesOn = false;
+  bool IsAccepted = false;
+  bool IsStroke = false;
+  bool HadControl = false;
   bool IsDue = false;
   int Drawn = 0;
 };
