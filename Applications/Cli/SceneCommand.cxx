@@ -163,32 +163,19 @@ void SceneCommand::DeclareOptions(CLI::App& app)
 int SceneCommand::Run(Console& console)
 {
   const Interruption interruption;
-  try
+  const SceneSettings settings = ReadScene(this->Input);
+  BuiltScene made = BuildScene(settings, ProgressOn(console));
+  made.Account.Servo = AccountForServo(made);
+  console.EndProgress();
+  for (const std::string& warning : made.Warnings)
   {
-    const SceneSettings settings = ReadScene(this->Input);
-    BuiltScene made = BuildScene(settings, ProgressOn(console));
-    made.Account.Servo = AccountForServo(made);
-    console.EndProgress();
-    for (const std::string& warning : made.Warnings)
-    {
-      console.Note(warning);
-    }
-    console.Output()
-        << (this->Json
-                ? AsJson(made.Account).dump(2, ' ', false, JsonObject::error_handler_t::replace) +
-                      "\n"
-                : TextOf(made.Account));
-    return 0;
+    console.Note(warning);
   }
-  catch (const FilterError& error)
-  {
-    throw InputError(error.what());
-  }
-  catch (const Cancelled&)
-  {
-    console.EndProgress();
-    console.Error("cancelled");
-    return 1;
-  }
+  console.Output()
+      << (this->Json
+              ? AsJson(made.Account).dump(2, ' ', false, JsonObject::error_handler_t::replace) +
+                    "\n"
+              : TextOf(made.Account));
+  return 0;
 }
 } // namespace palpate::cli

@@ -283,10 +283,11 @@ SceneStructure ThresholdStructure(const StudyState& state, const StudyThreshold&
   return structure;
 }
 
-SceneSettings ReadWholeScene(const std::filesystem::path& file, LeftHandedAxes leftHanded)
+SceneSettings ReadWholeScene(const std::filesystem::path& file, LeftHandedAxes leftHanded,
+                             const std::filesystem::path& patch)
 {
   SceneSettings scene = ResolveLabels(
-      ReadScene(file), true,
+      ReadScene(file, patch), true,
       [leftHanded](const std::filesystem::path& labels)
       { return std::make_shared<const Segmentation>(ReadSegmentation(labels, leftHanded)); });
   for (SceneStructure& structure : scene.Structures)

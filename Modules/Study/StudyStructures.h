@@ -45,9 +45,11 @@ PALPATESTUDY_EXPORT StudyState WithKeptCorrection(const StudyState& state, const
 PALPATESTUDY_EXPORT SceneStructure ThresholdStructure(const StudyState& state,
                                                       const StudyThreshold& threshold);
 
-/// Reads a scene file and the segmentations that it names (see ResolveLabels). Throws InputError.
+/// Reads a scene file, changed by a patch (see ReadScene), and the segmentations that it names (see
+/// ResolveLabels). Throws InputError.
 PALPATESTUDY_EXPORT SceneSettings ReadWholeScene(const std::filesystem::path& file,
-                                                 LeftHandedAxes leftHanded);
+                                                 LeftHandedAxes leftHanded,
+                                                 const std::filesystem::path& patch = {});
 
 /// The state with the structures, tool, device, rate and placement of a scene with resolved labels.
 /// A state without structures takes everything; otherwise its own structures, their fit and axes

@@ -209,6 +209,10 @@ void ExchangeCounts(JsonFields& fields, TaskSettings& task)
   fields.ExchangeIfSet("pause_after_trials", task.PauseAfter, 0, 1000);
   fields.ExchangeIfSet("pause_seconds", task.PauseSeconds, 0.0, 36000.0);
   fields.Exchange("seed", task.Seed, 0, 1000000000);
+  if (fields.IsReading() || !task.IsRecorded) // as the digests of earlier versions
+  {
+    fields.Exchange("record", task.IsRecorded);
+  }
 }
 
 void RequireTargets(const JsonFields& fields, const TaskSettings& task)

@@ -2,8 +2,10 @@
 
 #include "CsvCell.h"
 #include "DecimalText.h"
+#include "OutputFolder.h"
 #include "Refusal.h"
 #include "TaskLog.h"
+#include "WholeFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -245,5 +247,15 @@ std::string TaskAnalysisScript(const TaskResults& results)
          "  m <- aggregate(y ~ condition + participant, d, mean)\n"
          "  print(summary(aov(y ~ condition + Error(participant / condition), m)))\n"
          "}\n";
+}
+
+void WriteTaskResults(const TaskResults& results, const std::filesystem::path& folder)
+{
+  WriteOutputSet(folder,
+                 [&](const std::filesystem::path& stage)
+                 {
+                   WriteWholeFile(stage / "results.csv", TaskResultsCsv(results));
+                   WriteWholeFile(stage / "analysis.R", TaskAnalysisScript(results));
+                 });
 }
 } // namespace palpate

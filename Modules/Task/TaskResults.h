@@ -42,6 +42,10 @@ PALPATETASK_EXPORT std::string TaskResultsCsv(const TaskResults& results);
 /// analysis of variance of the participants' means (aov).
 PALPATETASK_EXPORT std::string TaskAnalysisScript(const TaskResults& results);
 
+/// Writes results.csv and analysis.R, both or none. Throws InputError.
+PALPATETASK_EXPORT void WriteTaskResults(const TaskResults& results,
+                                         const std::filesystem::path& folder);
+
 /// Column of a row: "success", or a measure; NaN for none.
 PALPATETASK_EXPORT double ValueOf(const TaskResult& row, TaskKind kind, const std::string& measure);
 } // namespace palpate

@@ -174,6 +174,18 @@ TaskScore TaskRun::End(const TaskAnswer& answer, const TaskConduct& conduct)
   return score;
 }
 
+void TaskRun::Interrupt()
+{
+  this->Require(TaskState::Running);
+  this->Now = TaskState::Ready;
+}
+
+bool TaskRun::IsPauseDue() const
+{
+  return this->Now == TaskState::Paused && this->Next > 0 && this->Begun == 0 &&
+         this->Trials[this->Next - 1].EndsBlock;
+}
+
 void TaskRun::Pause()
 {
   this->Require(TaskState::Ready);

@@ -44,11 +44,15 @@ public:
   const TaskTrial* Trial() const;
   /// How often it has begun, from 0.
   int Attempts() const { return this->Begun; }
+  /// Whether the plan has a pause before it, which lasts TaskSettings::PauseSeconds at least.
+  bool IsPauseDue() const;
 
   /// Each throws std::logic_error in a state that does not permit it.
   void Start();
   /// Scores and stores; the run is then paused if a pause is due.
   TaskScore End(const TaskAnswer& answer, const TaskConduct& conduct);
+  /// Leaves the running trial without an end, as a crash does: it begins again as its next attempt.
+  void Interrupt();
   void Pause();
   void Resume();
 

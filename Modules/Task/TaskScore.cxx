@@ -1,5 +1,7 @@
 #include "TaskScore.h"
 
+#include "AlongLine.h"
+#include "PathCourse.h"
 #include "Units.h"
 
 #include <Eigen/Geometry>
@@ -216,65 +218,18 @@ TaskScore DockScore(const TaskTarget& target, const TaskAnswer& answer)
   return {{distance, angle}, distance <= target.Tolerance && angle <= target.AngleTolerance};
 }
 
-double LengthOf(const std::vector<Vector3>& line, bool isClosed)
-{
-  double length = isClosed ? (line.front() - line.back()).norm() : 0.0;
-  for (std::size_t i = 1; i < line.size(); ++i)
-  {
-    length += (line[i] - line[i - 1]).norm();
-  }
-  return length;
-}
-
-// Points along a line, at most a millimetre apart, or a few thousand; each with the length that it
-// stands for.
-template <typename Function>
-void AlongLine(const std::vector<Vector3>& line, bool isClosed, const Function& visit)
-{
-  constexpr double MostSteps = 5000.0;
-  const double spacing = std::max(1.0, LengthOf(line, isClosed) / MostSteps);
-  const std::size_t segments = line.size() - (isClosed ? 0 : 1);
-  for (std::size_t i = 0; i < segments; ++i)
-  {
-    const Vector3& a = line[i];
-    const Vector3& b = line[(i + 1) % line.size()];
-    const double length = (b - a).norm();
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / spacing)));
-    for (int step = 0; step < steps; ++step)
-    {
-      visit(Vector3(a + (step + 0.5) / steps * (b - a)), length / steps);
-    }
-  }
-}
-
-// How much of the path the tool passed: the part of its places that were reached one after another.
-double PassedShare(const std::vector<Vector3>& path, const std::vector<Vector3>& trace,
-                   double tolerance)
-{
-  std::vector<Vector3> places{path.front()};
-  AlongLine(path, false, [&places](const Vector3& point, double) { places.push_back(point); });
-  places.push_back(path.back());
-  std::size_t passed = 0;
-  for (const Vector3& tool : trace)
-  {
-    while (passed < places.size() && (tool - places[passed]).norm() <= tolerance)
-    {
-      ++passed;
-    }
-  }
-  return static_cast<double>(passed) / static_cast<double>(places.size());
-}
-
 TaskScore PathScore(const TaskTarget& target, const TaskAnswer& answer, const TaskConduct& conduct)
 {
   const std::vector<Vector3> path = PointsOf(target);
+  PathCourse course(target);
   double sum = 0.0;
   for (const Vector3& tool : answer.PointsWorld)
   {
     sum += LineDistance(tool, path, false);
+    course.Take(tool);
   }
   const bool hasTrace = !answer.PointsWorld.empty();
-  const double passed = hasTrace ? PassedShare(path, answer.PointsWorld, target.Tolerance) : 0.0;
+  const double passed = course.Share();
   return {{static_cast<double>(conduct.Contacts), conduct.TouchedSeconds,
            hasTrace ? sum / static_cast<double>(answer.PointsWorld.size()) : NoValue, passed},
           conduct.Contacts == 0 && passed == 1.0};

@@ -92,5 +92,6 @@ struct TaskSettings
   int PauseAfter = 0;        ///< trials
   double PauseSeconds = 0.0; ///< least duration of a pause
   int Seed = 1;              ///< of the order of targets
+  bool IsRecorded = true;    ///< the hand, in a recording of each trial
 };
 } // namespace palpate

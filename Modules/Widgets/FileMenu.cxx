@@ -6,11 +6,13 @@
 #include "LinkDialog.h"
 #endif
 #include "ModelFile.h"
+#include "ReadyTask.h"
 #include "RecentFiles.h"
 #include "ScreenString.h"
 #include "SurfaceFile.h"
 #include "ThresholdDialog.h"
 #include "ToolIcon.h"
+#include "TrialActivity.h"
 
 #include <QFileInfo>
 
@@ -56,6 +58,8 @@ FileMenu::FileMenu(StudyController& study, const FileQuestions& questions,
     : QMenu("&File", window), Study(study), Questions(questions), Contents(contents), Window(window)
 {
   this->AddOpening();
+  this->addSeparator();
+  this->AddTasks();
   this->addSeparator();
   this->AddSaving();
   this->addSeparator();
@@ -120,6 +124,22 @@ void FileMenu::AddOpening()
                   QKeySequence("Ctrl+Alt+L"));
 #endif
   this->ForTools = {open};
+}
+
+void FileMenu::AddTasks()
+{
+  this->addAction("&Run a task...", this, &FileMenu::TaskAsked, QKeySequence("Ctrl+Alt+T"));
+  QMenu* ready = this->addMenu("Run a read&y task");
+  ready->setToolTipsVisible(true);
+  for (std::size_t n = 0; n < TaskKindNames().size(); ++n)
+  {
+    const auto kind = static_cast<TaskKind>(n);
+    QAction* action = ready->addAction(QString::fromStdString(ReadyTaskTitle(kind)) + "...", this,
+                                       [this, kind] { Q_EMIT this->ReadyTaskAsked(kind); });
+    action->setEnabled(HasTrialActivity(kind));
+    action->setToolTip(action->isEnabled() ? "With made phantoms, in a folder that you choose"
+                                           : "From the command line only until now: palpate task");
+  }
 }
 
 void FileMenu::AddSaving()

@@ -2,6 +2,7 @@
 
 #include "FileQuestions.h"
 #include "StudyController.h"
+#include "TaskSettings.h"
 #include "ViewContents.h"
 
 #include <QMenu>
@@ -42,9 +43,12 @@ public:
 
 Q_SIGNALS:
   void PictureAsked();
+  void TaskAsked();                            ///< of a file
+  void ReadyTaskAsked(palpate::TaskKind kind); ///< to be made
 
 private:
   void AddOpening();
+  void AddTasks();
   void AddSaving();
   void Open(const QString& title, void (StudyController::*take)(const std::filesystem::path&));
   void OpenAny(const QString& title, const QString& filter);

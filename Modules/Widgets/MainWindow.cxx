@@ -20,7 +20,6 @@
 #include "StudyThumbnails.h"
 #include "ThresholdDialog.h"
 #include "ToolRow.h"
-#include "TouchLink.h"
 #include "TouchPanel.h"
 #include "ViewPicture.h"
 #include "VolumePanel.h"
@@ -38,7 +37,7 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
-#include <algorithm>
+#include <utility>
 
 namespace palpate
 {
@@ -83,6 +82,7 @@ MainWindow::MainWindow(StudyController& study, FileQuestions questions)
 MainWindow::~MainWindow()
 {
   this->EndEditing();
+  delete this->Tasks;
   // It watches all events, also those of an open menu whose end follows that of the views.
   delete this->findChild<TouchLink*>(QString(), Qt::FindDirectChildrenOnly);
 }
@@ -241,24 +241,23 @@ void MainWindow::MakePanels()
   this->Marks = new LandmarksPanel(this->Study, this->Shown, this->Questions, this);
   QDockWidget* plots = this->AddPanel("Plots", new PlotsPanel(this->Study, this));
   QDockWidget* marks = this->AddPanel("Landmarks and measurements", this->Marks);
+  this->AddMode(this->Marks->Tool(), marks);
   auto* relations = new RelationsPanel(this->Study, this->Shown, this->Questions, this);
   QDockWidget* related = this->AddPanel("Relations", relations);
   connect(relations, &RelationsPanel::Chosen, this, &MainWindow::LookAtPlace);
   this->tabifyDockWidget(plots, marks);
   this->tabifyDockWidget(marks, related);
-  QDockWidget* checked = this->MakeCheck();
-  this->tabifyDockWidget(related, checked);
-  QDockWidget* drawn = this->MakeDrawing();
-  this->tabifyDockWidget(checked, drawn);
-  QDockWidget* corrected = this->MakeCorrection();
-  this->tabifyDockWidget(drawn, corrected);
-  this->tabifyDockWidget(corrected, this->MakeMatching());
+  QDockWidget* last = related;
+  for (QDockWidget* next :
+       {this->MakeCheck(), this->MakeDrawing(), this->MakeCorrection(), this->MakeMatching()})
+  {
+    this->tabifyDockWidget(std::exchange(last, next), next);
+  }
   this->resizeDocks({plots}, {BottomHeight}, Qt::Vertical);
-  RaiseWith(this->Marks->Tool(), marks);
-  this->Touching->addAction(this->Marks->TouchTool());
-  this->Touching->addActions({this->Drawing->Mode(), this->Drawing->TouchTool()});
-  this->Touching->addActions({this->Correcting->Mode(), this->Correcting->GripTool()});
-  this->Touching->addActions({this->Matching->Mode(), this->Matching->HoldTool()});
+  this->Touching->addActions({this->Marks->TouchTool(), this->Drawing->Mode(),
+                              this->Drawing->TouchTool(), this->Correcting->Mode(),
+                              this->Correcting->GripTool(), this->Matching->Mode(),
+                              this->Matching->HoldTool()});
   // In the views only: elsewhere these keys end an input.
   for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
   {
@@ -269,7 +268,7 @@ void MainWindow::MakePanels()
   auto* tools = new ToolRow(this->Study, this);
   tools->Add(this->Files->Tools());
   tools->Add(this->Viewing->Tools());
-  tools->Add(this->Modes());
+  tools->Add(this->Modes.All());
   tools->Add(this->Touching->Tools());
   this->addToolBar(tools);
 }
@@ -296,56 +295,35 @@ QDockWidget* MainWindow::MakeDrawing()
       [this] { return this->Marks->Placer()->TouchedPoint().PointWorld; }, this);
   this->Drawn = new DrawingPanel(this->Study, *this->Drawing, this->Questions, this);
   connect(this->Drawn, &DrawingPanel::Chosen, this, &MainWindow::LookAtPlace);
-  QDockWidget* dock = this->AddPanel("Drawn organ", this->Drawn);
-  RaiseWith(this->Drawing->Mode(), dock);
-  return dock;
+  return this->AddMode(this->Drawing->Mode(), this->AddPanel("Drawn organ", this->Drawn));
 }
 
 QDockWidget* MainWindow::MakeCorrection()
 {
-  auto* structures = this->findChild<StructuresPanel*>();
-  const auto chosen = [this, structures]
-  {
-    std::vector<int> ids = structures->SelectedIds();
-    for (const SceneStructure& structure : this->Study.State().Structures)
-    {
-      ids.push_back(structure.Id);
-    }
-    const auto found = std::find_if(ids.begin(), ids.end(),
-                                    [this](int id)
-                                    {
-                                      const auto* one = FindStructure(this->Study.State(), id);
-                                      return one != nullptr && StudyCorrected::IsCorrectable(*one);
-                                    });
-    return found != ids.end() ? *found : 0;
-  };
   this->Correcting = new CorrectionLink(
-      this->Study, this->Shown, *this->Grid, chosen,
+      this->Study, this->Shown, *this->Grid,
+      [this] { return this->findChild<StructuresPanel*>()->SelectedIds(); },
       [this] { return this->Marks->Placer()->TouchedPoint().PointWorld; }, this);
-  auto* panel =
-      new CorrectionPanel(this->Study, *this->Correcting, this->Questions, this->Shown, this);
-  QDockWidget* dock = this->AddPanel("Correction", panel);
-  RaiseWith(this->Correcting->Mode(), dock);
+  QDockWidget* dock =
+      this->AddPanel("Correction", new CorrectionPanel(this->Study, *this->Correcting,
+                                                       this->Questions, this->Shown, this));
+  this->AddMode(this->Correcting->Mode(), dock);
   return dock;
 }
 
-void MainWindow::RaiseWith(QAction* mode, QDockWidget* dock)
+QDockWidget* MainWindow::AddMode(QAction* mode, QDockWidget* dock)
 {
+  this->Modes.Add(mode);
   connect(mode, &QAction::toggled, dock,
-          [dock](bool isOn)
+          [this, dock](bool isOn)
           {
-            if (isOn)
+            if (isOn && !this->Quiet.IsQuiet())
             {
               dock->show();
               dock->raise();
             }
           });
-}
-
-QList<QAction*> MainWindow::Modes() const
-{
-  return {this->Marks->Tool(), this->Drawing->Mode(), this->Correcting->Mode(),
-          this->Matching->Mode()};
+  return dock;
 }
 
 QDockWidget* MainWindow::MakeMatching()
@@ -354,24 +332,37 @@ QDockWidget* MainWindow::MakeMatching()
   QDockWidget* dock =
       this->AddPanel("Held organ", new MatchingPanel(this->Study, this->Shown, *this->Matching,
                                                      this->Questions, this));
-  RaiseWith(this->Matching->Mode(), dock);
+  this->AddMode(this->Matching->Mode(), dock);
   return dock;
 }
 
-// One mode of the mouse at a time.
-void MainWindow::TakeMode(QAction* mode, bool isOn)
+void MainWindow::MakeTasks(TouchLink& touch)
 {
-  bool isAny = false;
-  for (QAction* other : this->Modes())
-  {
-    if (isOn && other != mode)
-    {
-      other->setChecked(false);
-    }
-    isAny = isAny || other->isChecked();
-  }
-  this->findChild<TouchLink*>()->LeaveClicks(isAny);
-  const bool areStrokes = isAny && !this->Marks->Tool()->isChecked();
+  this->Tasks = new TaskLink({this->Study, this->Questions, this->Shown, *this->Grid,
+                              *this->Drawing, [&touch](bool isOn) { touch.ShowHandOnly(isOn); },
+                              [this] { return this->Files->MayLeave(); }},
+                             this->centralWidget());
+  auto* column = qobject_cast<QVBoxLayout*>(this->centralWidget()->layout());
+  column->insertWidget(0, this->Tasks->Strip());
+  column->insertWidget(1, this->Tasks->Page(), 1);
+  connect(this->Files, &FileMenu::TaskAsked, this->Tasks, &TaskLink::AskForTask);
+  connect(this->Files, &FileMenu::ReadyTaskAsked, this->Tasks, &TaskLink::OpenReady);
+  connect(&touch, &TouchLink::Escaped, this->Tasks,
+          [this] { this->Tasks->Interrupt("Esc has switched force off."); });
+  connect(this->Tasks, &TaskLink::Changed, this,
+          [this]
+          {
+            this->Quiet.Set(this->Tasks->IsOpen());
+            this->Study.HearTouches(this->Touching->Hearing()->isChecked() &&
+                                    !this->Tasks->IsOpen());
+            this->ShowCentre();
+          });
+}
+
+void MainWindow::FollowModes()
+{
+  this->findChild<TouchLink*>()->LeaveClicks(this->Modes.IsAny());
+  const bool areStrokes = this->Modes.IsAny() && !this->Marks->Tool()->isChecked();
   for (ViewPane* pane : this->Grid->Panes())
   {
     pane->SetStrokes(areStrokes);
@@ -407,13 +398,7 @@ void MainWindow::ConnectViews()
   this->Shown.Images()->AddObserver(vtkCommand::ModifiedEvent, this, &MainWindow::TakeView);
   new StructureLink(
       *this->findChild<StructuresPanel*>(), this->Shown, *this->Grid,
-      [this]
-      {
-        const QList<QAction*> modes = this->Modes();
-        return std::none_of(modes.begin(), modes.end(),
-                            [](const QAction* mode) { return mode->isChecked(); });
-      },
-      this);
+      [this] { return !this->Modes.IsAny(); }, this);
   new VolumeRenderingLink(this->Study, this->Shown, *this->Grid->Space(), this);
   auto* link = new TouchLink(this->Study, this->Shown, *this->Grid, this);
   connect(this->Touching, &TouchMenu::WorkspaceShown, link, &TouchLink::ShowWorkspace);
@@ -421,19 +406,14 @@ void MainWindow::ConnectViews()
   this->Grid->Space()->PushAlongSight(this->Touching->PushAlongSight()->isChecked());
   connect(this->Touching->PushAlongSight(), &QAction::toggled, this->Grid->Space(),
           &SpacePane::PushAlongSight);
-  for (QAction* mode : this->Modes())
-  {
-    connect(mode, &QAction::toggled, this, [this, mode](bool isOn) { this->TakeMode(mode, isOn); });
-  }
+  connect(&this->Modes, &PointerModes::Changed, this, &MainWindow::FollowModes);
   connect(link, &TouchLink::Escaped, this,
           [this]
           {
-            for (QAction* mode : this->Modes())
-            {
-              mode->setChecked(false);
-            }
+            this->Modes.Leave();
             this->Touching->MoveWorkspace()->setChecked(false);
           });
+  this->MakeTasks(*link);
   link->SoundAlarms(this->Touching->AlarmSound()->isChecked());
   connect(this->Touching->AlarmSound(), &QAction::toggled, link, &TouchLink::SoundAlarms);
 }
@@ -481,8 +461,14 @@ void MainWindow::ShowCentre()
   {
     this->Start->ShowRecent(RecentFiles());
   }
-  this->Start->setVisible(isEmpty);
-  this->Grid->setVisible(!isEmpty);
+  const bool isTask = this->Tasks != nullptr && this->Tasks->IsOpen();
+  const bool isResting = isTask && this->Tasks->IsResting();
+  this->Start->setVisible(isEmpty && !isTask);
+  this->Grid->setVisible(isTask ? !isResting : !isEmpty);
+  if (isTask)
+  {
+    this->Tasks->Page()->setVisible(isResting);
+  }
 }
 
 void MainWindow::ShowTitle()
@@ -601,7 +587,8 @@ void MainWindow::closeEvent(QCloseEvent* event)
 {
   this->Study.Current().Touch().SwitchForcesOff();
   this->EndEditing();
-  if (!this->Files->MayLeave())
+  // A task has nothing to save: its log is written.
+  if (!this->Tasks->IsOpen() && !this->Files->MayLeave())
   {
     // Forces stay off until the user allows them again: they may have been off before.
     event->ignore();

@@ -8,11 +8,15 @@
 #include "LandmarksPanel.h"
 #include "MatchingPanel.h"
 #include "MessageArea.h"
+#include "PointerModes.h"
 #include "Preferences.h"
+#include "QuietWindow.h"
 #include "RecoveryLink.h"
 #include "StartPage.h"
 #include "StatusLine.h"
 #include "StudyController.h"
+#include "TaskLink.h"
+#include "TouchLink.h"
 #include "TouchMenu.h"
 #include "ViewContents.h"
 #include "ViewGrid.h"
@@ -67,9 +71,9 @@ private:
   QDockWidget* MakeDrawing();
   QDockWidget* MakeCorrection();
   QDockWidget* MakeMatching();
-  static void RaiseWith(QAction* mode, QDockWidget* dock);
-  QList<QAction*> Modes() const;
-  void TakeMode(QAction* mode, bool isOn);
+  QDockWidget* AddMode(QAction* mode, QDockWidget* dock);
+  void MakeTasks(TouchLink& touch);
+  void FollowModes();
   void ShowState();
   void ShowTitle();
   void ShowChange();
@@ -99,6 +103,9 @@ private:
   DrawingPanel* Drawn = nullptr;
   MatchingLink* Matching = nullptr;
   CorrectionLink* Correcting = nullptr;
+  TaskLink* Tasks = nullptr;
+  QuietWindow Quiet{*this}; ///< while a task is open
+  PointerModes Modes;
   QMenu* Panels = nullptr;
   QAction* Undo = nullptr;
   QAction* Redo = nullptr;

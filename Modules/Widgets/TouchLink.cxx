@@ -90,6 +90,12 @@ void TouchLink::LeaveClicks(bool areForMarks)
   this->TakeHand();
 }
 
+void TouchLink::ShowHandOnly(bool isOn)
+{
+  this->IsHandOnly = isOn;
+  this->Contents.ShowHandOnly(isOn);
+}
+
 void TouchLink::TellAxes()
 {
   this->Study.Current().TurnAxes(this->Views.Space()->Axes());
@@ -164,8 +170,9 @@ double TouchLink::ToolDistance() const
 
 void TouchLink::ShowNotice()
 {
-  const TouchNotice notice =
-      this->Study.IsTouching() ? TouchNotice::Of(this->Study.Reading()) : TouchNotice();
+  const TouchNotice notice = this->Study.IsTouching() && !this->IsHandOnly
+                                 ? TouchNotice::Of(this->Study.Reading())
+                                 : TouchNotice();
   this->Views.ShowNotice(notice);
   const bool isAlarm = notice.Is == TouchNotice::Kind::Alarm;
   if (isAlarm && !this->IsAlarmed && this->AreAlarmsHeard)
@@ -299,7 +306,7 @@ void TouchLink::FollowProbe()
   constexpr double Still = 0.1; // mm
   const TouchState& newest = this->Study.Reading().Newest;
   const Vector3 force(newest.ForceWorld);
-  Vector3 place(newest.ProxyWorld);
+  Vector3 place(this->IsHandOnly ? newest.ProbeWorld : newest.ProxyWorld);
   if (this->Study.Reading().TouchedId != 0 && force.norm() > 0.0)
   {
     // The place of contact: slices through the centre of a large tool may miss the structure.

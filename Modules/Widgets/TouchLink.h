@@ -27,6 +27,8 @@ public:
   void MoveWorkspace(bool isMoved);
   /// While clicks place marks, they do not push.
   void LeaveClicks(bool areForMarks);
+  /// Whether force is off on purpose: the tool is shown where the hand is, without a notice.
+  void ShowHandOnly(bool isOn);
   /// Whether an alarm begins with a sound.
   void SoundAlarms(bool areHeard) { this->AreAlarmsHeard = areHeard; }
 
@@ -68,6 +70,7 @@ private:
   bool IsAlarmed = false;
   bool IsPointing = false; // the mouse is the hand
   bool AreClicksForMarks = false;
+  bool IsHandOnly = false;
   int AimedAt = -1;                   // the structure that MostPush is for; none before the first
   double MostPush = 0.0;              // mm
   Vector3 Followed = Vector3::Zero(); // the probe, by the slices

@@ -45,18 +45,18 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
 
 void TouchMenu::AddHearing()
 {
-  QAction* hear = this->addAction("&Hear touches");
-  hear->setToolTip(
+  this->Hear = this->addAction("&Hear touches");
+  this->Hear->setToolTip(
       "A tone for the force, a rustle for texture, a click when a contact begins; from "
       "the next touch on");
-  hear->setCheckable(true);
-  connect(hear, &QAction::toggled, this,
+  this->Hear->setCheckable(true);
+  connect(this->Hear, &QAction::toggled, this,
           [this](bool isOn)
           {
             QSettings().setValue(HearingKey, isOn);
             this->Study.HearTouches(isOn);
           });
-  hear->setChecked(QSettings().value(HearingKey, false).toBool());
+  this->Hear->setChecked(QSettings().value(HearingKey, false).toBool());
 }
 
 void TouchMenu::AddPush()

@@ -22,6 +22,7 @@ public:
   QList<QAction*> Tools() const { return {this->Touch, this->Record}; }
   /// Also used by a panel's buttons.
   QAction* AlarmSound() const { return this->Sound; }
+  QAction* Hearing() const { return this->Hear; }
   QAction* PushAlongSight() const { return this->AlongSight; }
   QAction* MoveWorkspace() const { return this->Move; }
   void ToggleTouch();
@@ -50,6 +51,7 @@ private:
   QAction* StopForce;
   QAction* AllowForce;
   QAction* Sound;
+  QAction* Hear = nullptr;
   QAction* AlongSight = nullptr;
   QAction* Move;
   QAction* Fit;

@@ -1,12 +1,10 @@
 #include "TouchPanel.h"
 
-#include "OpenBuiltInDevice.h"
 #include "PlainLabel.h"
 #include "ScreenString.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QMap>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -18,41 +16,6 @@ namespace palpate
 {
 namespace
 {
-// What a person calls a device; one with an argument has no other name.
-const QMap<QString, QString>& DeviceNames()
-{
-  static const QMap<QString, QString> names{
-      {"simulated", "Mouse (no device)"},    {"falcon", "Novint Falcon"},
-      {"inverse3", "Haply Inverse3"},        {"openhaptics", "3D Systems Touch"},
-      {"forcedimension", "Force Dimension"}, {"controller", "Game controller"},
-      {"spacemouse", "SpaceMouse"}};
-  return names;
-}
-
-QString LabelOf(const QString& device)
-{
-  return DeviceNames().value(device, device);
-}
-
-QString DeviceOf(const QString& label)
-{
-  return DeviceNames().key(label, label);
-}
-
-QStringList DeviceLabels()
-{
-  DeviceRegistry registry;
-  QStringList names;
-  if (RegisterBuiltInDevices(registry).IsOk())
-  {
-    for (const DeviceRegistry::Kind& kind : registry.Kinds())
-    {
-      names += LabelOf(QString::fromStdString(kind.Name));
-    }
-  }
-  return names;
-}
-
 double Norm(const PlainVector3& vector)
 {
   return std::hypot(vector.X, vector.Y, vector.Z);
@@ -71,7 +34,7 @@ QLabel* MakeText(const char* name, QWidget* parent)
 } // namespace
 
 TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
-    : QWidget(parent), Study(study), Tools(new QHBoxLayout), Device(new QComboBox(this)),
+    : QWidget(parent), Study(study), Tools(new QHBoxLayout), Device(new DeviceChoice(this)),
       Radius(new QDoubleSpinBox(this)), Scale(new QDoubleSpinBox(this)),
       FollowCamera(new QCheckBox(this)), Start(new QPushButton(this)),
       Record(new QPushButton(this)), Recording(MakeText("recording", this)),
@@ -125,14 +88,12 @@ void TouchPanel::MakeButtons()
 void TouchPanel::MakeSettings(QFormLayout* form)
 {
   this->Device->setObjectName("device");
-  this->Device->addItems(DeviceLabels());
-  this->Device->setEditable(true); // for "name:argument"
   form->addRow("Device", this->Device);
   connect(this->Device, &QComboBox::currentTextChanged, this,
           [this](const QString& label)
           {
             StudyState next = this->Study.State();
-            next.Device = DeviceOf(label).toStdString();
+            next.Device = this->Device->Chosen();
             this->Study.Change("Choose the device " + label, next, "device");
           });
   this->Radius->setObjectName("tool-radius");
@@ -183,7 +144,7 @@ void TouchPanel::ShowState()
   const QSignalBlocker device(this->Device);
   const QSignalBlocker radius(this->Radius);
   const QSignalBlocker scale(this->Scale);
-  this->Device->setCurrentText(LabelOf(QString::fromStdString(state.Device)));
+  this->Device->Choose(state.Device);
   this->Radius->setValue(state.Tool.Radius);
   this->Scale->setValue(state.Placement.Scale.value_or(0.0));
   this->FollowCamera->setChecked(state.Placement.AxesFollowCamera);

@@ -1,9 +1,9 @@
 #pragma once
 
+#include "DeviceChoice.h"
 #include "StudyController.h"
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QPushButton>
@@ -49,7 +49,7 @@ private:
 
   StudyController& Study;
   QHBoxLayout* Tools;
-  QComboBox* Device;
+  DeviceChoice* Device;
   QDoubleSpinBox* Radius;
   QDoubleSpinBox* Scale;
   QCheckBox* FollowCamera;

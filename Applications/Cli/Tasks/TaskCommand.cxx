@@ -3,7 +3,6 @@
 #include "CommandProgress.h"
 #include "Console.h"
 #include "FileType.h"
-#include "FilterRun.h"
 #include "HandSkill.h"
 #include "InputError.h"
 #include "Interruption.h"
@@ -156,12 +155,7 @@ int TaskCommand::Evaluate(const std::filesystem::path& folder, Console& console)
   const TaskComparison comparison =
       CompareConditions(results, this->Studies, this->Simulation.Seed);
   const std::filesystem::path output = this->Output.empty() ? folder : this->Output;
-  WriteOutputSet(output,
-                 [&](const std::filesystem::path& stage)
-                 {
-                   WriteWholeFile(stage / "results.csv", TaskResultsCsv(results));
-                   WriteWholeFile(stage / "analysis.R", TaskAnalysisScript(results));
-                 });
+  WriteTaskResults(results, output);
   console.Output() << (this->Json ? TaskResultsJson(results, comparison) + "\n"
                                   : TaskResultsText(results, comparison));
   return 0;
@@ -179,23 +173,10 @@ int TaskCommand::Run(Console& console)
   {
     CheckOutputFolder(this->Output);
   }
-  try
-  {
-    return this->Action == "init"       ? this->Init(console)
-           : this->Action == "check"    ? this->Check(console)
-           : this->Action == "plan"     ? this->Plan(console)
-           : this->Action == "simulate" ? this->Simulate(console)
-                                        : this->Evaluate(this->Input, console);
-  }
-  catch (const FilterError& error)
-  {
-    throw InputError(error.what());
-  }
-  catch (const Cancelled&)
-  {
-    console.EndProgress();
-    console.Error("cancelled");
-    return 1;
-  }
+  return this->Action == "init"       ? this->Init(console)
+         : this->Action == "check"    ? this->Check(console)
+         : this->Action == "plan"     ? this->Plan(console)
+         : this->Action == "simulate" ? this->Simulate(console)
+                                      : this->Evaluate(this->Input, console);
 }
 } // namespace palpate::cli

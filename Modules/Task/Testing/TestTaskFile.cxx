@@ -62,6 +62,16 @@ TEST_F(TaskFileTest, DigestNoticesEveryNumber)
   EXPECT_NE(TaskDigest(task), before);
 }
 
+TEST_F(TaskFileTest, IsRecordedUnlessItSaysOtherwise)
+{
+  TaskSettings task = TaskOf(TaskKind::Landmarks);
+  const std::filesystem::path folder = std::filesystem::current_path();
+  EXPECT_EQ(TaskText(task, folder).find("record"), std::string::npos) << "as earlier digests";
+  task.IsRecorded = false;
+  EXPECT_NE(TaskText(task, folder).find("\"record\": false"), std::string::npos);
+  EXPECT_NE(TaskDigest(task), TaskDigest(TaskOf(TaskKind::Landmarks)));
+}
+
 TEST_F(TaskFileTest, RefusesQuestionsAboutIdentity)
 {
   for (const char* text : {"Name", "What is your last name?", "first_name", "your e-mail",

@@ -64,6 +64,40 @@ TEST_F(TaskRunTest, RefusesStepsOutOfOrder)
   EXPECT_THROW(run.Pause(), std::logic_error);
 }
 
+TEST_F(TaskRunTest, InterruptedTrialBeginsAgainAsAfterACrash)
+{
+  TaskRun run = this->Open();
+  run.Start();
+  const std::string log = ReadAll(this->LogFile());
+  run.Interrupt();
+  EXPECT_EQ(ReadAll(this->LogFile()), log);
+  EXPECT_EQ(run.State(), TaskState::Ready);
+  EXPECT_EQ(run.Trial()->Number, 1);
+  EXPECT_EQ(run.Attempts(), 1);
+  EXPECT_THROW(run.Interrupt(), std::logic_error);
+  run.Pause();
+  EXPECT_FALSE(run.IsPauseDue());
+  run.Resume();
+  run.Start();
+  EXPECT_EQ(run.Attempts(), 2);
+}
+
+TEST_F(TaskRunTest, OnlyThePlansPausesAreDue)
+{
+  TaskRun run = this->Open();
+  for (int trial = 1; trial <= 3; ++trial)
+  {
+    run.Pause();
+    EXPECT_FALSE(run.IsPauseDue());
+    run.Resume();
+    run.Start();
+    run.End(TargetOf(TaskKind::Landmarks).Right, {});
+  }
+  EXPECT_TRUE(run.IsPauseDue());
+  run.Resume();
+  EXPECT_FALSE(run.IsPauseDue());
+}
+
 // What a crash leaves is some first bytes of the log: whole lines, and a part of one.
 TEST_F(TaskRunTest, ResumesFromEveryLineAndEveryPartOfOne)
 {

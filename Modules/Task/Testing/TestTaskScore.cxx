@@ -1,3 +1,4 @@
+#include "PathCourse.h"
 #include "TaskCases.h"
 #include "TaskScore.h"
 #include "TaskWatch.h"
@@ -169,6 +170,29 @@ TEST(TaskWatch, ToolIsAtTheHandWithoutForce)
   const TouchState tick = Tick(1.0, 1.0, 0.5);
   EXPECT_EQ(TaskWatch(TaskOf(TaskKind::Path), true, 1.0).TipWorld(tick), Vector3(10, 0, -1));
   EXPECT_EQ(TaskWatch(TaskOf(TaskKind::Path), false, 1.0).TipWorld(tick), Vector3(10, 0, -0.5));
+}
+
+TEST(PathCourse, PassesPlacesOneAfterAnother)
+{
+  TaskTarget target = TargetOf(TaskKind::Path).Target;
+  target.Points = {{"", {0, 0, 0}}, {"", {100, 0, 0}}};
+  target.Tolerance = 2.0;
+  PathCourse course(target);
+  course.Take({50, 0, 0});
+  EXPECT_EQ(course.Share(), 0.0) << "not from its start";
+  for (double x = 0.0; x <= 50.0; x += 1.0)
+  {
+    course.Take({x, 1.0, 0.0});
+  }
+  const double half = course.Share();
+  EXPECT_NEAR(half, 0.5, 0.03);
+  course.Take({90, 0, 0});
+  EXPECT_EQ(course.Share(), half) << "a part was left out";
+  for (double x = 50.0; x <= 100.0; x += 1.0)
+  {
+    course.Take({x, 0, 0});
+  }
+  EXPECT_EQ(course.Share(), 1.0);
 }
 
 TEST(TaskWatch, LimitsEndATrial)

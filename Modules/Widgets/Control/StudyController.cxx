@@ -32,7 +32,7 @@ constexpr int LooksAStep = 6;
 } // namespace
 
 StudyController::StudyController(Clock& clock, const RealtimeRequest& request)
-    : Open(clock, request)
+    : Time(clock), Open(clock, request)
 {
   connect(&this->Timer, &QTimer::timeout, this, &StudyController::Look);
   this->Timer.start(LookMilliseconds);

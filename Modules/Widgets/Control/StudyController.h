@@ -34,6 +34,10 @@ public:
   explicit StudyController(Clock& clock, const RealtimeRequest& request = {});
 
   Study& Current() { return this->Open; }
+  /// Of the servo's clock, ns.
+  std::int64_t Now() const { return this->Time.Now(); }
+  /// What a new study begins with.
+  const StudyState& NewState() const { return this->First; }
   const StudyState& State() const { return this->Open.State(); }
   const StudyTouchReading& Reading() const { return this->Felt; }
   bool IsTouching() { return this->Open.Touch().IsRunning(); }
@@ -191,6 +195,7 @@ private:
   void ReadVolumeNow(const std::filesystem::path& file, const std::string& series,
                      VolumeOpening open);
 
+  Clock& Time;
   Study Open;
   StudyOpening Opening{this->Open};
   StudyState First; ///< of a new study

@@ -35,11 +35,11 @@ double SizeAt(const SurfaceCorrection& pulls, std::size_t point)
 } // namespace
 
 CorrectionLink::CorrectionLink(StudyController& study, ViewContents& contents, ViewGrid& views,
-                               std::function<int()> chosen, std::function<Vector3()> contact,
-                               QObject* parent)
-    : QObject(parent), Study(study), Contents(contents), Views(views), Chosen(std::move(chosen)),
-      Contact(std::move(contact)), Pulling(new QAction("Push and pull", this)),
-      Gripping(new QAction("Grip where touched", this))
+                               std::function<std::vector<int>()> selected,
+                               std::function<Vector3()> contact, QObject* parent)
+    : QObject(parent), Study(study), Contents(contents), Views(views),
+      Selected(std::move(selected)), Contact(std::move(contact)),
+      Pulling(new QAction("Push and pull", this)), Gripping(new QAction("Grip where touched", this))
 {
   this->Pulling->setCheckable(true);
   this->Pulling->setShortcut(QString("G"));
@@ -146,7 +146,7 @@ void CorrectionLink::ShowMode(bool isOn)
   const StudyState& state = this->Study.State();
   if (isOn && FindStructure(state, state.Correction.StructureId) == nullptr)
   {
-    this->Choose(this->Chosen());
+    this->Choose(this->FirstToCorrect());
   }
   if (isOn && this->Study.State().Correction.StructureId == 0)
   {
@@ -154,6 +154,25 @@ void CorrectionLink::ShowMode(bool isOn)
     // Once everybody knows that it is on.
     QTimer::singleShot(0, this->Pulling, [mode = this->Pulling] { mode->setChecked(false); });
   }
+}
+
+// 0 if there is none.
+int CorrectionLink::FirstToCorrect() const
+{
+  std::vector<int> ids = this->Selected();
+  for (const SceneStructure& structure : this->Study.State().Structures)
+  {
+    ids.push_back(structure.Id);
+  }
+  for (const int id : ids)
+  {
+    const SceneStructure* const one = FindStructure(this->Study.State(), id);
+    if (one != nullptr && StudyCorrected::IsCorrectable(*one))
+    {
+      return id;
+    }
+  }
+  return 0;
 }
 
 void CorrectionLink::Choose(int id)

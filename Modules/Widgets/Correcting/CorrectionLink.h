@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <optional>
+#include <vector>
 
 namespace palpate
 {
@@ -21,10 +22,12 @@ class CorrectionLink : public QObject
   Q_OBJECT
 
 public:
-  /// Keeps the addresses. `chosen` is the structure that the mode begins with, or 0; `contact` the
-  /// place of the tool's contact (world, mm).
+  /// Keeps the addresses. `selected` are structures, of which the mode begins with the first one
+  /// that can be corrected, or else with the first of the study; `contact` is the place of the
+  /// tool's contact (world, mm).
   CorrectionLink(StudyController& study, ViewContents& contents, ViewGrid& views,
-                 std::function<int()> chosen, std::function<Vector3()> contact, QObject* parent);
+                 std::function<std::vector<int>()> selected, std::function<Vector3()> contact,
+                 QObject* parent);
 
   /// Switches the mode.
   QAction* Mode() const { return this->Pulling; }
@@ -63,6 +66,7 @@ private:
 
   void FollowSlice(SlicePane* slice);
   void FollowSpace();
+  int FirstToCorrect() const;
   void ShowMode(bool isOn);
   void ShowSurface();
   std::optional<std::size_t> PointInSlice(const SlicePane& slice, double x, double y);
@@ -84,7 +88,7 @@ private:
   StudyController& Study;
   ViewContents& Contents;
   ViewGrid& Views;
-  std::function<int()> Chosen;
+  std::function<std::vector<int>()> Selected;
   std::function<Vector3()> Contact;
   QAction* Pulling;
   QAction* Gripping;

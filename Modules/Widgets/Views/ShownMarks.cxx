@@ -44,6 +44,12 @@ void ShownMarks::ShowRing(const std::vector<Vector3>& ring, const std::string& t
   }
 }
 
+void ShownMarks::ShowTrial(const TrialMarks& marks)
+{
+  this->Trial = marks;
+  this->Update();
+}
+
 void ShownMarks::SetLengthUnit(LengthUnit unit)
 {
   this->Unit = unit;
@@ -78,6 +84,25 @@ void ShownMarks::Update()
       line->InsertNextPoint(place.data());
     }
     this->Shown->AddCurve(this->RingText.c_str(), this->Ring.front().data(), line, true);
+  }
+  this->AddTrial();
+}
+
+void ShownMarks::AddTrial()
+{
+  for (const StudyLandmark& mark : this->Trial.Points)
+  {
+    this->Shown->AddLandmark(mark.Name.c_str(), mark.PositionWorld.data());
+  }
+  if (!this->Trial.Line.empty())
+  {
+    vtkNew<vtkPoints> line;
+    line->SetDataTypeToDouble();
+    for (const Vector3& place : this->Trial.Line)
+    {
+      line->InsertNextPoint(place.data());
+    }
+    this->Shown->AddCurve("", this->Trial.Line.front().data(), line, false);
   }
 }
 

@@ -11,6 +11,13 @@
 
 namespace palpate
 {
+/// What a trial of a task shows: named points, and a line; world, mm.
+struct TrialMarks
+{
+  std::vector<StudyLandmark> Points;
+  std::vector<Vector3> Line; ///< empty: none
+};
+
 /// Landmarks and measurements as all views share them: control points, lines and values.
 class ShownMarks
 {
@@ -25,6 +32,7 @@ public:
 
   /// A closed line with a text, such as the width of a pull (world, mm); none: nothing.
   void ShowRing(const std::vector<Vector3>& ring, const std::string& text);
+  void ShowTrial(const TrialMarks& marks);
 
   void SetLengthUnit(LengthUnit unit);
 
@@ -34,6 +42,7 @@ private:
   void Update();
   void Add(const StudyMeasurement& measurement);
   void AddDrawing();
+  void AddTrial();
 
   vtkNew<vtkLandmarks> Shown;
   LengthUnit Unit = LengthUnit::Millimeter;
@@ -44,5 +53,6 @@ private:
   std::vector<Vector3> Next;
   std::vector<Vector3> Ring;
   std::string RingText;
+  TrialMarks Trial;
 };
 } // namespace palpate

@@ -492,7 +492,7 @@ StudyView ViewContents::WithViewOf(StudyView view) const
 void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
 {
   const TouchState& state = reading.Newest;
-  this->ShowDent(reading, isTouching && state.HasSample);
+  this->ShowDent(reading, isTouching && state.HasSample && !this->IsHandOnly);
   this->ProbeShown->SetVisibility(isTouching && state.HasSample);
   if (!isTouching || !state.HasSample)
   {
@@ -500,13 +500,14 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   }
   const PlainVector3& probe = state.ProbeWorld;
   // The tool is in the dent of a structure that yields, not on its surface at rest.
-  const bool yields = this->Yielding.count(reading.TouchedId) > 0;
-  const PlainVector3& proxy = yields ? state.ProbeWorld : state.ProxyWorld;
-  const PlainVector3& force = state.ForceWorld;
+  const bool isAtHand = this->IsHandOnly || this->Yielding.count(reading.TouchedId) > 0;
+  const PlainVector3& proxy = isAtHand ? state.ProbeWorld : state.ProxyWorld;
+  const bool isTold = !this->IsHandOnly && !this->IsForceHidden;
+  const PlainVector3 force = isTold ? state.ForceWorld : PlainVector3();
   this->ProbeShown->SetProbePosition(probe.X, probe.Y, probe.Z);
   this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
   this->ProbeShown->SetForce(force.X, force.Y, force.Z);
-  this->ProbeShown->SetInContact(state.Structure >= 0);
+  this->ProbeShown->SetInContact(state.Structure >= 0 && isTold);
   this->ProbeShown->SetDepth(state.Depth);
   this->ShowDepth(proxy);
   // Okabe and Ito's vermilion; yellow where the force is an estimate. Grey: no force.

@@ -51,6 +51,12 @@ public:
   {
     this->Marks.ShowPreview(preview);
   }
+  /// See ShownMarks.
+  void ShowTrial(const TrialMarks& marks) { this->Marks.ShowTrial(marks); }
+  /// From now on ShowTouch shows the tool where the hand is, whatever it meets: it dents nothing.
+  void ShowHandOnly(bool isOn) { this->IsHandOnly = isOn; }
+  /// From now on ShowTouch shows no force and no depth, which are to be felt only.
+  void HideForce(bool isOn) { this->IsForceHidden = isOn; }
   /// The organ that is drawn by touch; with touches and next places as marks.
   void ShowDrawing(const DrawnOrgan& organ, const StudyDrawing& drawing, bool areMarked);
   /// A structure that a hand holds, where it holds it, instead of where it is; null: none is held.
@@ -142,6 +148,8 @@ private:
   std::map<int, vtkSmartPointer<vtkVolume>> FieldsShown;
   std::map<int, std::unique_ptr<YieldingSurface>> Yielding;
   std::set<int> Touchable; // ids
+  bool IsHandOnly = false;
+  bool IsForceHidden = false;
   std::set<int> Highlighted;
   StructurePlaces Places;
 

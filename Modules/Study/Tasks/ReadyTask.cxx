@@ -3,8 +3,8 @@
 #include "ImageWriter.h"
 #include "ModelFile.h"
 #include "PhantomSampler.h"
-#include "ProgramVersion.h"
 #include "ProstateLikeModel.h"
+#include "SoftwareVersions.h"
 #include "TaskFile.h"
 #include "Units.h"
 #include "WholeFile.h"
@@ -15,7 +15,7 @@
 #include <string>
 #include <utility>
 
-namespace palpate::cli
+namespace palpate
 {
 namespace
 {
@@ -45,7 +45,7 @@ struct Phantom
   RadialModel Body;
 };
 
-PhantomGrid GridAround(const RadialModel& body)
+PhantomGrid TaskGrid(const RadialModel& body)
 {
   PhantomGrid grid;
   constexpr double Margin = 6.0; // mm
@@ -78,7 +78,7 @@ void WriteScene(const std::filesystem::path& folder, const JsonObject& structure
 void WriteRigidScene(const Phantom& phantom)
 {
   ModelProvenance provenance;
-  provenance.Program = ProgramVersion();
+  provenance.Program = "palpate " + SoftwareVersions().front().second;
   WriteModel(phantom.Folder / "gland.json", {phantom.Body, provenance});
   WriteScene(phantom.Folder, {{{"file", "gland.json"}, {"stiffness_n_per_mm", 1.0}}}, 1.0);
 }
@@ -111,7 +111,7 @@ void WriteNodule(const Phantom& phantom, const HiddenNodule& hidden, TaskTarget&
         {{"file", "nodule.nii.gz"}, {"label", 1}, {"touched", false}, {"inclusion_kpa", 80}});
   }
   target.Tolerance = 10.0;
-  const PhantomImages masks = MasksOf(body, GridAround(body), nodule);
+  const PhantomImages masks = MasksOf(body, TaskGrid(body), nodule);
   WriteImage(phantom.Folder / "mask.nii.gz", masks.Mask);
   if (masks.Nodule)
   {
@@ -153,7 +153,7 @@ void AddRing(const RadialModel& body, double outside, int count, double turns, T
 
 void WriteMask(const Phantom& phantom, TaskTarget& target)
 {
-  const PhantomGrid grid = GridAround(phantom.Body);
+  const PhantomGrid grid = TaskGrid(phantom.Body);
   const RadialModel start = phantom.Body.WithDegree(StartDegree);
   WriteImage(phantom.Folder / "true.nii.gz", MasksOf(phantom.Body, grid, {}).Mask);
   WriteImage(phantom.Folder / "start.nii.gz", MasksOf(start, grid, {}).Mask);
@@ -239,6 +239,11 @@ TaskSettings TaskOfKind(TaskKind kind, std::uint64_t seed)
 }
 } // namespace
 
+std::string ReadyTaskTitle(TaskKind kind)
+{
+  return WordingOf(kind).Title;
+}
+
 void WriteReadyTask(TaskKind kind, std::uint64_t seed, const std::filesystem::path& folder,
                     const ProgressFunction& progress)
 {
@@ -259,4 +264,4 @@ void WriteReadyTask(TaskKind kind, std::uint64_t seed, const std::filesystem::pa
   }
   WriteWholeFile(folder / "task.json", TaskText(task, folder));
 }
-} // namespace palpate::cli
+} // namespace palpate
