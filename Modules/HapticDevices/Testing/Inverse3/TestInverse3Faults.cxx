@@ -118,21 +118,21 @@ TEST_P(Inverse3Faults, EndInZeroForceOnTheWire)
   this->RecordProperty("ticks", known);
 }
 
-INSTANTIATE_TEST_SUITE_P(Each, Inverse3Faults,
-                         testing::Values(FaultCase{"Silent", Inverse3Fault::Silent, 12},
-                                         FaultCase{"HalfMessage", Inverse3Fault::HalfMessage, 4},
-                                         FaultCase{"Binary", Inverse3Fault::Binary, 4},
-                                         FaultCase{"WrongDevice", Inverse3Fault::WrongDevice, 4},
-                                         FaultCase{"NoDevice", Inverse3Fault::NoDevice, 4},
-                                         FaultCase{"NotANumber", Inverse3Fault::NotANumber, 12},
-                                         FaultCase{"Jump", Inverse3Fault::Jump, 4},
-                                         FaultCase{"Late", Inverse3Fault::Late, 12},
-                                         FaultCase{"CloseFrame", Inverse3Fault::CloseFrame, 12},
-                                         FaultCase{"CutOff", Inverse3Fault::CutOff, 4},
-                                         FaultCase{"StopsItself", Inverse3Fault::StopsItself, 8},
-                                         FaultCase{"Unplugged", Inverse3Fault::Unplugged, 8},
-                                         FaultCase{"UsedByAnother", Inverse3Fault::UsedByAnother,
-                                                   8}),
-                         [](const auto& tested) { return std::string(tested.param.Name); });
+INSTANTIATE_TEST_SUITE_P(
+    Each, Inverse3Faults,
+    testing::Values(FaultCase{"ServiceIsSilent", Inverse3Fault::Silent, 12},
+                    FaultCase{"HalfAMessage", Inverse3Fault::HalfMessage, 4},
+                    FaultCase{"MessageOfBytes", Inverse3Fault::Binary, 4},
+                    FaultCase{"StateOfAnotherDevice", Inverse3Fault::WrongDevice, 4},
+                    FaultCase{"StateOfNoDevice", Inverse3Fault::NoDevice, 4},
+                    FaultCase{"PositionIsNoNumber", Inverse3Fault::NotANumber, 12},
+                    FaultCase{"PositionJumps", Inverse3Fault::Jump, 4},
+                    FaultCase{"ServiceIsLate", Inverse3Fault::Late, 12},
+                    FaultCase{"ServiceEndsTheSession", Inverse3Fault::CloseFrame, 12},
+                    FaultCase{"ConnectionIsCut", Inverse3Fault::CutOff, 4},
+                    FaultCase{"DeviceStopsItself", Inverse3Fault::StopsItself, 8},
+                    FaultCase{"DeviceIsUnplugged", Inverse3Fault::Unplugged, 8},
+                    FaultCase{"DeviceIsUsedByAnother", Inverse3Fault::UsedByAnother, 8}),
+    [](const auto& tested) { return std::string(tested.param.Name); });
 } // namespace
 } // namespace palpate::inverse3_faults_test
