@@ -132,6 +132,15 @@ QPainterPath PullPath()
   return path;
 }
 
+// Two bodies, one nearly on the other.
+QPainterPath MatchPath()
+{
+  QPainterPath path;
+  path.addEllipse(QPointF(9, 14), 6.5, 6.5);
+  path.addEllipse(QPointF(15, 10), 6.5, 6.5);
+  return path;
+}
+
 void Draw(ToolSign sign, QPainter& painter)
 {
   switch (sign)
@@ -154,6 +163,8 @@ void Draw(ToolSign sign, QPainter& painter)
     return painter.drawPath(DrawPath());
   case ToolSign::Pull:
     return painter.drawPath(PullPath());
+  case ToolSign::Match:
+    return painter.drawPath(MatchPath());
   case ToolSign::Screenshot:
     return painter.drawPath(ScreenshotPath());
   case ToolSign::Touch:

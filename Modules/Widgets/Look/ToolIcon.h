@@ -15,6 +15,7 @@ enum class ToolSign
   Landmark,
   Draw,
   Pull,
+  Match,
   Screenshot,
   Touch,
   Record,

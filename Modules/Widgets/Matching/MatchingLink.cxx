@@ -1,6 +1,7 @@
 #include "MatchingLink.h"
 
 #include "SceneMove.h"
+#include "ToolIcon.h"
 
 #include <cmath>
 
@@ -19,6 +20,7 @@ MatchingLink::MatchingLink(StudyController& study, ViewContents& contents, ViewG
 {
   this->Matching->setCheckable(true);
   this->Matching->setShortcut(QString("H"));
+  this->Matching->setIcon(ToolIcon(ToolSign::Match));
   this->Holding->setCheckable(true);
   this->Holding->setShortcut(QString("Shift+H"));
   this->Frames.setInterval(FramePeriod);
