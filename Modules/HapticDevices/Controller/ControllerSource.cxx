@@ -78,6 +78,7 @@ void ControllerSource::Run(std::promise<Status>& opened)
     this->Sdl->Close(controller);
   }
   this->Sdl->End();
+  this->Sdl->LeaveThread();
 }
 
 void ControllerSource::Poll(void* controller)

@@ -30,6 +30,7 @@ void SdlLibrary::FindAll(DynamicLibrary& library)
   library.Find("SDL_OpenAudioDevice", this->OpenAudio);
   library.Find("SDL_PauseAudioDevice", this->PauseAudio);
   library.Find("SDL_CloseAudioDevice", this->CloseAudio);
+  library.Find("SDL_TLSCleanup", this->CleanThread);
 }
 
 Status SdlLibrary::Load(std::shared_ptr<const SdlLibrary>& made)

@@ -26,6 +26,8 @@ public:
   /// Every successful Begin needs an End.
   Status Begin() const;
   void End() const noexcept;
+  /// At the end of a thread that has called SDL: what it keeps for that thread.
+  void LeaveThread() const noexcept { this->CleanThread(); }
   /// Of the controllers that are plugged in, in the order of their numbers.
   std::vector<std::string> Names() const;
   /// Null if there are not that many.
@@ -87,6 +89,7 @@ private:
   std::uint32_t (*OpenAudio)(const char*, int, const AudioSpec*, AudioSpec*, int) = nullptr;
   void (*PauseAudio)(std::uint32_t, int) = nullptr;
   void (*CloseAudio)(std::uint32_t) = nullptr;
+  void (*CleanThread)() = nullptr;
   int (*RumbleController)(void*, std::uint16_t, std::uint16_t, std::uint32_t) = nullptr;
 };
 } // namespace palpate
