@@ -355,9 +355,10 @@ void Study::StartTouch()
   this->CloseReplay();
   StudyJob job;
   job.IsUrgent = true;
-  const std::string heard = this->AreHeard ? "+sound" : "";
-  job.Work =
-      [this, name = this->State().Device + heard, &clock = this->Time](const ProgressFunction&)
+  std::string silent = this->State().Device;
+  const bool isHeard = TakeSound(silent) || this->AreHeard; // the device may ask for it itself
+  job.Work = [this, name = silent + (isHeard ? "+sound" : ""),
+              &clock = this->Time](const ProgressFunction&)
   {
     const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
     const Status status = OpenBuiltInDevice(name, clock, *device);

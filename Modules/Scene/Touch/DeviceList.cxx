@@ -123,10 +123,8 @@ std::string FirstDevicePluggedIn()
 
 bool IsPluggedIn(const std::string& device)
 {
-  std::string name = device;
-  const bool sounds = TakeSound(name);
   const DeviceRegistry registry = Registry();
-  const DeviceRegistry::Kind* const kind = registry.Find(name.substr(0, name.find(':')));
-  return sounds || (kind != nullptr && kind->FindDevices);
+  const DeviceRegistry::Kind* const kind = registry.Find(device.substr(0, device.find(':')));
+  return kind != nullptr && kind->FindDevices;
 }
 } // namespace palpate

@@ -402,7 +402,7 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   RequireInput(scene->Check());
   touch.Path = script.Path;
   std::string silent = settings.Device;
-  TakeSound(silent);
+  const bool sounds = TakeSound(silent);
   if (touch.Path.IsEmpty() && silent == SimulatedName)
   {
     RequireInput(SweepOf(*scene, script.SweepDepth, script.SweepSpeed,
@@ -413,7 +413,7 @@ PreparedTouch PrepareTouch(const SceneSettings& settings, const TouchScript& scr
   }
   const double duration = touch.Path.IsEmpty() ? DefaultDuration : touch.Path.Duration();
   touch.Duration = script.Duration.value_or(duration);
-  touch.IsRealTimeOnly = IsPluggedIn(settings.Device);
+  touch.IsRealTimeOnly = sounds || IsPluggedIn(silent);
   touch.Warnings = std::move(built.Warnings);
   const std::vector<std::string> stiffness = StiffnessWarnings(*scene, device, settings.Rate);
   touch.Warnings.insert(touch.Warnings.end(), stiffness.begin(), stiffness.end());
