@@ -1,5 +1,7 @@
 #include "SteeredDevice.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace palpate
@@ -46,6 +48,7 @@ Status SteeredDevice::Open()
     static_cast<void>(this->Hand.LeadHand(start));
     status = this->Hand.Open();
     this->Last = {};
+    this->Told = std::numeric_limits<double>::quiet_NaN();
     this->Distance = std::numeric_limits<double>::infinity();
     this->Steered.Begin(start);
   }
@@ -77,12 +80,26 @@ bool SteeredDevice::Read(DeviceSample& sample) noexcept
   }
   const double period =
       this->Last.Sequence > 0 ? 1e-9 * static_cast<double>(sample.Time - this->Last.Time) : 0.0;
-  this->Steered.Advance(input, sample.Position, this->Distance, period);
+  this->Steered.Advance(input, sample.Position, this->DistanceNow(Vector3(sample.Position)),
+                        period);
   static_cast<void>(this->Hand.LeadHand(this->Steered.Target()));
   Eigen::Map<Eigen::Vector4d>(sample.Orientation.data()) = this->Steered.Orientation().coeffs();
   sample.Buttons = input.Buttons;
   this->Last = sample;
   return true;
+}
+
+// A surface is nearer by no more than the hand has moved since its distance was told: whoever tells
+// it late slows the hand down, and does not drive it into the surface.
+double SteeredDevice::DistanceNow(const Vector3& handDevice) noexcept
+{
+  const double told = this->Told.exchange(std::numeric_limits<double>::quiet_NaN());
+  if (!std::isnan(told))
+  {
+    this->Distance = told;
+    this->ToldAt = handDevice;
+  }
+  return std::max(this->Distance - (handDevice - this->ToldAt).norm(), 0.0);
 }
 
 bool SteeredDevice::Apply(const Vector3& force) noexcept

@@ -28,14 +28,18 @@ public:
   bool Read(DeviceSample& sample) noexcept override;
   bool Apply(const Vector3& force) noexcept override;
   void Show(const TouchState& state) noexcept override;
-  void TellDistance(double distance) noexcept override { this->Distance.store(distance); }
+  void TellDistance(double distance) noexcept override { this->Told.store(distance); }
 
 private:
+  double DistanceNow(const Vector3& handDevice) noexcept;
+
   std::unique_ptr<SteeringSource> Source;
   SimulatedDevice Hand;
   DeviceCapabilities Abilities;
   std::atomic<bool> HasFailed{false};
-  std::atomic<double> Distance{std::numeric_limits<double>::infinity()}; // mm
+  std::atomic<double> Told{std::numeric_limits<double>::quiet_NaN()}; // mm; NaN when taken
+  double Distance = std::numeric_limits<double>::infinity();          // mm, when it was told
+  Vector3 ToldAt = Vector3::Zero();                                   // the hand then
   SteeredPose Steered;
   DeviceSample Last;
 };

@@ -53,9 +53,9 @@ public:
     return false;
   }
 
-  /// The distance (mm) from the tool to the nearest structure, infinite if there is none, for
-  /// devices that are slow near one. From a display, so some ticks old, or never called. Any
-  /// thread.
+  /// The distance (mm of the device) from the tool to the nearest structure, infinite if there is
+  /// none, for devices that are slow near one. From a display, so some ticks old, or never called.
+  /// Any thread.
   virtual void TellDistance(double distance) noexcept { static_cast<void>(distance); }
 
   /// The newest sample, which may be the previous one again. Returns false if the device failed.

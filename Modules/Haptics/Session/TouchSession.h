@@ -88,12 +88,12 @@ public:
   /// Moves the hand of a simulated device to a place of the device (mm). Returns false, without
   /// effect, for a real device.
   bool LeadHand(const Vector3& handDevice);
-  /// What a display measured: mm from the tool to the nearest structure (HapticDevice).
+  /// What a display measured: mm of the world from the tool to the nearest structure.
   void TellDistance(double distance) noexcept
   {
     if (this->IsOpen())
     {
-      this->Opened->TellDistance(distance);
+      this->Opened->TellDistance(distance / this->Place.Scale);
     }
   }
   /// Goal of such a hand (mm); it moves with the workspace.

@@ -1,6 +1,7 @@
 #include "PlotsPanel.h"
 #include "ThresholdDialog.h"
 #include "TouchPanel.h"
+#include "TouchRecording.h"
 #include "VirtualSpnav.h"
 #include "WindowTest.h"
 
@@ -25,6 +26,27 @@ namespace palpate::touch_link_test
 namespace
 {
 using test::Norm;
+
+// The most (mm/s) by which the hand comes nearer to a ball of 9 mm over 20 ticks that begin between
+// these distances (mm) from it.
+double FastestApproach(const TouchRecording& recording, const Vector3& center, double from,
+                       double to)
+{
+  const auto distance = [&](std::size_t tick)
+  { return (Vector3(recording.Ticks[tick].ProbeWorld) - center).norm() - 9.0; };
+  double fastest = 0.0;
+  for (std::size_t tick = 0; tick + 20 < recording.Ticks.size(); ++tick)
+  {
+    const double begin = distance(tick);
+    const auto passed = recording.Ticks[tick + 20].Sample.Time - recording.Ticks[tick].Sample.Time;
+    if (begin > from && begin < to && passed > 0)
+    {
+      fastest =
+          std::max(fastest, 1e9 * (begin - distance(tick + 20)) / static_cast<double>(passed));
+    }
+  }
+  return fastest;
+}
 
 class TouchLinkTest : public test::WindowTest
 {
@@ -103,34 +125,21 @@ TEST_F(TouchLinkTest, SpaceMouseIsSlowNearTheSurfaceAndPushesIt)
   this->Study->Change("Steer at the ball", next);
   this->BeginTouch();
   daemon.Accept();
-  // Of the ticks, how fast the tool moves (mm/s of the hand) at a distance from the surface.
+  const auto file = this->Phantom.Folder / "steered.touch";
+  ASSERT_TRUE(this->Study->Current().Touch().StartRecording(file).IsOk());
+  // Steered when the window has told how far the ball is; later it tells it as often as it can.
   vtkProbeRepresentation* probe = this->Window->Contents().Probe();
-  double far = 0.0;
-  double near = 0.0;
-  Vector3 last = Vector3::Zero();
-  std::int64_t lastTime = 0;
+  this->FeelUntil([&] { return probe->GetHasNearestPoint(); });
   daemon.Send({0, 0, 0, 250, 0, 0, 0, 16}); // away from the person
-  this->FeelUntil(
-      [&]
-      {
-        const TouchState& state = this->Study->Reading().Newest;
-        const Vector3 hand(state.Sample.Position);
-        const double passed = 1e-9 * static_cast<double>(state.Sample.Time - lastTime);
-        const double speed = lastTime > 0 && passed > 0.0 ? (hand - last).norm() / passed : 0.0;
-        const double distance =
-            probe->GetHasNearestPoint()
-                ? (Vector3(probe->GetNearestPoint()) - probe->ProxyWorld()).norm()
-                : 100.0;
-        far = distance > 20.0 ? std::max(far, speed) : far;
-        near = distance < 6.0 && !probe->GetInContact() ? speed : near;
-        last = hand;
-        lastTime = state.Sample.Time;
-        return Norm(state.ForceWorld) > 0.5;
-      });
+  this->FeelUntil([&] { return Norm(this->Study->Reading().Newest.ForceWorld) > 0.5; });
   EXPECT_EQ(this->Study->Reading().TouchedId, 1);
-  EXPECT_GT(far, 1.5 * near);
   daemon.Send({0, 0, 0, 0, 0, 0, 0, 16});
   this->FeelUntil([&] { return Norm(this->Study->Reading().Newest.ForceWorld) < 0.3; });
+  ASSERT_TRUE(this->Study->Current().Touch().StopRecording().IsOk());
+  TouchRecording recording;
+  ASSERT_TRUE(ReadTouchRecording(file.string(), recording).IsOk());
+  EXPECT_GT(FastestApproach(recording, this->SphereCenter, 15.0, 25.0),
+            1.5 * FastestApproach(recording, this->SphereCenter, 2.0, 4.0));
 }
 
 TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)

@@ -100,6 +100,25 @@ TEST_F(SteeredDeviceTest, PoseTurnsAndButtonsArePassedOn)
   EXPECT_NEAR(Eigen::AngleAxisd(turned).angle(), SteeringSettings().FullTurn, 1e-3);
 }
 
+TEST_F(SteeredDeviceTest, IsSlowNearASurfaceThatWasToldOnce)
+{
+  ASSERT_TRUE(this->Device.Open().IsOk());
+  this->Input.Push = -Vector3::UnitZ();
+  DeviceSample sample;
+  std::vector<double> speeds; // mm/s, of every tick
+  this->Device.TellDistance(25.0);
+  for (int n = 0; n <= 600; ++n)
+  {
+    const double before = Vector3(sample.Position).z();
+    this->Time.Advance(1'000'000);
+    ASSERT_TRUE(this->Device.Read(sample));
+    speeds.push_back(1000.0 * (before - Vector3(sample.Position).z()));
+  }
+  // After 0.1 s, when the hand has caught up with what leads it, and at the end.
+  EXPECT_GT(speeds[100], 0.9 * SteeringSettings().FullSpeed);
+  EXPECT_LT(speeds.back(), 0.5 * SteeringSettings().FullSpeed);
+}
+
 TEST_F(SteeredDeviceTest, UnpluggingFaultsWithinATick)
 {
   ASSERT_TRUE(this->Device.Open().IsOk());
