@@ -164,10 +164,14 @@ void TouchCommand::DeclareStructure(CLI::App& app)
                  "rubbing (0: not drilled)")
       ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
-  app.add_option("--tool-radius", this->Tool.Radius,
-                 "Radius of the spherical tool, mm (0: a point)")
+  app.add_option("--tool-radius", this->Tool.Radius, "Radius of the tool, mm (0: a point)")
       ->type_name("MM")
       ->check(FiniteNumber::Between(0.0, ContactLimits::ToolRadius))
+      ->capture_default_str();
+  app.add_option("--tool-length", this->ToolLength,
+                 "Length of a capsule's axis, which tips where it touches, mm (0: a sphere)")
+      ->type_name("MM")
+      ->check(FiniteNumber::Between(0.0, 1000.0))
       ->capture_default_str();
   app.add_option(
          "--tool-points", this->Tool.Points,
@@ -288,6 +292,11 @@ SceneSettings TouchCommand::Settings() const
   else
   {
     settings.Tool = this->Tool;
+    if (this->ToolLength > 0.0)
+    {
+      settings.Tool.Kind = TouchToolSettings::Shape::Capsule;
+      settings.Tool.Length = this->ToolLength;
+    }
     // Without a segmentation the scene tells that it has no use for labels.
     const bool hasLabels =
         this->Iso.empty() && std::any_of(this->Inputs.begin(), this->Inputs.end(),

@@ -53,6 +53,7 @@ private:
   std::string Mode = "nearest";
   std::string Interpolation = "linear";
   TouchToolSettings Tool;
+  double ToolLength = 0.0; // mm; 0: a sphere
   std::string Device;
   std::string Firmware;
   double Rate = 0.0;         ///< Hz; 0: the scene's

@@ -15,6 +15,11 @@ struct Contact
   Vector3 NormalWorld = Vector3::UnitZ(); ///< unit, out of the structure, at the proxy
   double Depth = 0.0;                     ///< mm from probe to proxy
   int Material = 0;                       ///< of a field, the touched material; else 0
+  /// Of tools of several balls: the point that touches, mm, the mean of several by their pushes.
+  bool HasFoot = false;
+  Vector3 FootWorld = Vector3::Zero();
+  /// mm^2: times the stiffness, the torque about the tool's origin.
+  Vector3 Turn = Vector3::Zero();
   /// Of a structure that yields, its force, instead of that of a spring to the proxy; null if it is
   /// rigid. The tracker's own, so valid until its next call.
   const ElasticForce* Elastic = nullptr;

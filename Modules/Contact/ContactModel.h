@@ -11,6 +11,8 @@
 
 namespace palpate
 {
+class ToolGaps;
+
 /// Touch model of a structure. Immutable, so threads can share it as a snapshot.
 class ContactModel
 {
@@ -28,6 +30,14 @@ public:
   /// does not support. Allocates: never call it in a tick.
   virtual Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                              std::unique_ptr<ContactTracker>& tracker) const = 0;
+
+  /// Creates what keeps a tool of several balls (ToolShape::Skeleton) out of the structure, for a
+  /// SharedProxy. As MakeTracker.
+  virtual Status MakeGaps(const ToolShape&, const SurfaceFriction&,
+                          std::unique_ptr<ToolGaps>&) const
+  {
+    return Status::Failure("it is touched by spheres and points only.");
+  }
 
   /// Of a structure that yields, about the largest stiffness (N/mm) that a tool meets; 0 where the
   /// force law of the scene decides. Takes some milliseconds.

@@ -1,5 +1,6 @@
 #include "FacetContactModel.h"
 
+#include "FacetGaps.h"
 #include "FacetTracker.h"
 #include "FrictionCone.h"
 
@@ -34,5 +35,16 @@ Status FacetContactModel::MakeTracker(const ToolShape& tool, const SurfaceFricti
   }
   tracker = std::make_unique<FacetTracker>(this->Tree, tool.Radius(), friction);
   return Status::Success();
+}
+
+Status FacetContactModel::MakeGaps(const ToolShape& tool, const SurfaceFriction& friction,
+                                   std::unique_ptr<ToolGaps>& gaps) const
+{
+  const Status status = FrictionCone::Check(friction);
+  if (status.IsOk())
+  {
+    gaps = std::make_unique<FacetGaps>(this->Tree, *tool.Skeleton(), friction);
+  }
+  return status;
 }
 } // namespace palpate

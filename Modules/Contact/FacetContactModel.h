@@ -21,6 +21,8 @@ public:
   Eigen::AlignedBox3d BoundsWorld() const noexcept override { return this->Tree->BoundsWorld(); }
   Status MakeTracker(const ToolShape& tool, const SurfaceFriction& friction,
                      std::unique_ptr<ContactTracker>& tracker) const override;
+  Status MakeGaps(const ToolShape& tool, const SurfaceFriction& friction,
+                  std::unique_ptr<ToolGaps>& gaps) const override;
   std::size_t Bytes() const noexcept override { return this->Tree->Bytes(); }
 
 private:

@@ -1,7 +1,9 @@
 #include "FieldContactModel.h"
 
+#include "FieldGaps.h"
 #include "FieldProxyTracker.h"
 #include "FrictionCone.h"
+#include "ToolSkeleton.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +11,18 @@
 
 namespace palpate
 {
+namespace
+{
+// One for each square of a voxel, so that nothing as wide slips between them.
+int CapsulePoints(double radius, double length, double voxelSize)
+{
+  constexpr double Fewest = 100.0;
+  constexpr double Most = 1500.0;
+  const double area = 2.0 * EIGEN_PI * radius * (2.0 * radius + length);
+  return static_cast<int>(std::clamp(area / (voxelSize * voxelSize), Fewest, Most));
+}
+} // namespace
+
 Status FieldContactModel::Make(const std::shared_ptr<const ScalarField>& field, int material,
                                std::shared_ptr<const ContactModel>& contact)
 {
@@ -51,5 +65,21 @@ Status FieldContactModel::MakeTracker(const ToolShape& tool, const SurfaceFricti
   const ToolShape shell = ShellFor(tool, this->Solid->VoxelSize());
   tracker = std::make_unique<FieldProxyTracker>(this->Solid, shell, friction);
   return Status::Success();
+}
+
+Status FieldContactModel::MakeGaps(const ToolShape& tool, const SurfaceFriction& friction,
+                                   std::unique_ptr<ToolGaps>& gaps) const
+{
+  const Status status = FrictionCone::Check(friction);
+  if (status.IsOk())
+  {
+    const auto& balls = tool.Skeleton()->Balls();
+    const double radius = balls.front().Radius;
+    const double length = (balls.back().Center - balls.front().Center).norm();
+    const int points = CapsulePoints(radius, length, this->Solid->VoxelSize());
+    gaps = std::make_unique<FieldGaps>(this->Solid, ToolShape::Capsule(radius, length, points),
+                                       friction);
+  }
+  return status;
 }
 } // namespace palpate

@@ -2,6 +2,7 @@
 
 #include "FrictionCone.h"
 #include "NearestPointTracker.h"
+#include "OrganGaps.h"
 #include "RadialTracker.h"
 #include "TouchableRadialModel.h"
 #include "TouchableSurfaceModel.h"
@@ -43,6 +44,21 @@ public:
     return this->TrackerOf(tool.Radius(), friction, tracker);
   }
 
+  Status MakeGaps(const ToolShape& tool, const SurfaceFriction& friction,
+                  std::unique_ptr<ToolGaps>& gaps) const override
+  {
+    if (this->Surface->CrossesItself())
+    {
+      return Status::Failure("it crosses itself, and is touched by spheres and points only.");
+    }
+    const Status status = FrictionCone::Check(friction);
+    if (status.IsOk())
+    {
+      gaps = std::make_unique<OrganGaps<Touchable>>(this->Surface, *tool.Skeleton(), friction);
+    }
+    return status;
+  }
+
 protected:
   virtual Status TrackerOf(double radius, const SurfaceFriction& friction,
                            std::unique_ptr<ContactTracker>& tracker) const
@@ -58,6 +74,12 @@ class PublishedContact final : public OrganContact<TouchableRadialModel>
 {
 public:
   using OrganContact::OrganContact;
+
+  Status MakeGaps(const ToolShape& tool, const SurfaceFriction& friction,
+                  std::unique_ptr<ToolGaps>& gaps) const override
+  {
+    return ContactModel::MakeGaps(tool, friction, gaps);
+  }
 
 protected:
   Status TrackerOf(double radius, const SurfaceFriction& friction,

@@ -1,5 +1,7 @@
 #include "ToolShape.h"
 
+#include "ToolSkeleton.h"
+
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -86,6 +88,13 @@ bool IsCount(int count)
 {
   return count >= ToolShape::MinimumCount && count <= ToolShape::MaximumCount;
 }
+// Half a radius apart: between them a capsule is at most a sixteenth of a radius thinner than it
+// should be, at a sharp edge.
+int BallCount(double radius, double length)
+{
+  constexpr double Most = 64.0;
+  return 1 + static_cast<int>(std::clamp(std::ceil(2.0 * length / radius), 0.0, Most - 1.0));
+}
 } // namespace
 
 ToolShape ToolShape::Sphere(double radius)
@@ -123,6 +132,11 @@ ToolShape ToolShape::Capsule(double radius, double length, int count)
     const double across = std::sqrt(std::max(0.0, radius * radius - height * height));
     const Vector3 offset = across * place.Around + height * Vector3::UnitZ();
     tool.AddPoint(offset + axis * Vector3::UnitZ(), -offset);
+  }
+  if (std::isfinite(tool.Extent) && radius > 0.0)
+  {
+    tool.Balls = std::make_shared<const ToolSkeleton>(
+        ToolSkeleton::Capsule(radius, length, BallCount(radius, length)));
   }
   return tool;
 }

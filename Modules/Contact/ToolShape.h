@@ -3,10 +3,13 @@
 #include "Status.h"
 #include "Vector3.h"
 
+#include <memory>
 #include <vector>
 
 namespace palpate
 {
+class ToolSkeleton;
+
 /// The shape of a tool, immutable: a sphere around the origin of its frame, or any closed surface
 /// as a shell of points with inward normals. Lengths are mm, in the tool's frame.
 class ToolShape
@@ -22,7 +25,7 @@ public:
   /// A sphere with a shell of `count` points: 6 and 26 are the directions to the face neighbours
   /// and to all neighbours of a voxel, others lie on a spiral of equal areas.
   static ToolShape SpherePoints(double radius, int count);
-  /// Along z, `length` between the centres of the end spheres.
+  /// Along z, `length` between the centres of the end spheres. A radius above 0 gives it balls.
   static ToolShape Capsule(double radius, double length, int count);
   /// Along z, centred at the origin, with flat ends.
   static ToolShape Cylinder(double radius, double length, int count);
@@ -35,6 +38,8 @@ public:
   /// are zero or not one for each point.
   Status Check() const;
 
+  /// The balls of a tool that turns as it touches; null for the other tools.
+  const ToolSkeleton* Skeleton() const noexcept { return this->Balls.get(); }
   bool IsSphere() const noexcept { return this->Spherical; }
   double Radius() const noexcept { return this->SphereRadius; } ///< of a sphere, else 0
   /// The radius (mm) of a sphere around the origin that contains the tool.
@@ -53,5 +58,6 @@ private:
   double Extent = 0.0;
   std::vector<Vector3> ShellPoints;
   std::vector<Vector3> ShellNormals;
+  std::shared_ptr<const ToolSkeleton> Balls;
 };
 } // namespace palpate

@@ -284,8 +284,8 @@ void vtkInteractorStyleHaptic::ShowNewest()
   const palpate::Vector3 probe(now.ProbeWorld);
   const bool isTouched = now.Structure >= 0;
   const palpate::Vector3 proxy = isTouched ? palpate::Vector3(now.ProxyWorld) : probe;
-  inner.Probe->SetProbePosition(probe[0], probe[1], probe[2]);
-  inner.Probe->SetProxyPosition(proxy[0], proxy[1], proxy[2]);
+  inner.Probe->SetProbePose(probe, now.ProbeOrientation);
+  inner.Probe->SetProxyPose(proxy, now.ProxyOrientation);
   inner.Probe->SetForce(now.ForceWorld.X, now.ForceWorld.Y, now.ForceWorld.Z);
   inner.Probe->SetInContact(isTouched);
   inner.Drawn.Update(inner.Probe);

@@ -72,6 +72,20 @@ void vtkProbeRepresentation::SetProxyPose(const double position[3], const double
   this->SetPose(this->ProxyMatrix, position, orientation);
 }
 
+void vtkProbeRepresentation::SetProbePose(const palpate::Vector3& position,
+                                          const std::array<double, 4>& orientation)
+{
+  const double scalarFirst[4] = {orientation[3], orientation[0], orientation[1], orientation[2]};
+  this->SetProbePose(position.data(), scalarFirst);
+}
+
+void vtkProbeRepresentation::SetProxyPose(const palpate::Vector3& position,
+                                          const std::array<double, 4>& orientation)
+{
+  const double scalarFirst[4] = {orientation[3], orientation[0], orientation[1], orientation[2]};
+  this->SetProxyPose(position.data(), scalarFirst);
+}
+
 void vtkProbeRepresentation::SetProbePosition(double x, double y, double z)
 {
   const double position[3] = {x, y, z};

@@ -19,6 +19,8 @@
 #include "vtkPolyData.h" // For the tool
 #include "vtkSmartPointer.h"
 
+#include <array>
+
 #ifndef __VTK_WRAP__
 #include "Vector3.h"
 #endif
@@ -49,6 +51,11 @@ public:
   void SetProxyPose(const double position[3], const double orientation[4]);
   void SetProbePosition(double x, double y, double z);
   void SetProxyPosition(double x, double y, double z);
+#ifndef __VTK_WRAP__
+  // The same, with orientations as TouchState has them (x, y, z, w).
+  void SetProbePose(const palpate::Vector3& position, const std::array<double, 4>& orientation);
+  void SetProxyPose(const palpate::Vector3& position, const std::array<double, 4>& orientation);
+#endif
   ///@}
   ///@{
   /** From the tool's frame to the world. Do not change. */

@@ -13,7 +13,7 @@ constexpr double Tie = 1e-12;      // of a length: paths that differ by less are
 constexpr double Narrowest = 1e-9; // of an edge: narrower windows are left out
 constexpr double Nearby = 1e-6;    // of an edge: a start is at its end, or on the edge
 
-double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+double PlaneCross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 {
   return a[0] * b[1] - a[1] * b[0];
 }
@@ -21,7 +21,7 @@ double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
 double AngleAt(const Eigen::Vector2d& apex, double length)
 {
   const Eigen::Vector2d toEnd = Eigen::Vector2d(length, 0.0) - apex;
-  return std::atan2(Cross(-apex, toEnd), (-apex).dot(toEnd));
+  return std::atan2(PlaneCross(-apex, toEnd), (-apex).dot(toEnd));
 }
 } // namespace
 
@@ -189,7 +189,7 @@ void WindowPropagation::AddBeyond(const Window& window, int left, const Plane& s
   const double length = this->EdgeLengths[left];
   const Plane along = (end - start) / length;
   const auto inFrame = [&](const Plane& place)
-  { return Plane((place - start).dot(along), Cross(along, place - start)); };
+  { return Plane((place - start).dot(along), PlaneCross(along, place - start)); };
   const Plane source = inFrame(window.Source);
   const auto hit = [&](double through)
   {
@@ -219,12 +219,12 @@ void WindowPropagation::Propagate(const Window& window)
   const Plane& apex = this->Apexes[window.HalfEdge];
   const Plane toApex = apex - window.Source;
   const double slack = Tie * toApex.norm() * this->EdgeLengths[window.HalfEdge];
-  if (Cross(Plane(window.First, 0.0) - window.Source, toApex) > slack)
+  if (PlaneCross(Plane(window.First, 0.0) - window.Source, toApex) > slack)
   {
     this->AddRight(window, false);
     return;
   }
-  if (Cross(Plane(window.Last, 0.0) - window.Source, toApex) < -slack)
+  if (PlaneCross(Plane(window.Last, 0.0) - window.Source, toApex) < -slack)
   {
     this->AddLeft(window, false);
     return;

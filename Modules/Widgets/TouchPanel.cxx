@@ -35,11 +35,11 @@ QLabel* MakeText(const char* name, QWidget* parent)
 
 TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
     : QWidget(parent), Study(study), Tools(new QHBoxLayout), Device(new DeviceChoice(this)),
-      Radius(new QDoubleSpinBox(this)), Scale(new QDoubleSpinBox(this)),
-      FollowCamera(new QCheckBox(this)), Start(new QPushButton(this)),
-      Record(new QPushButton(this)), Recording(MakeText("recording", this)),
-      Safety(MakeText("safety", this)), Felt(MakeText("felt", this)),
-      Advice(MakeText("advice", this))
+      Radius(new QDoubleSpinBox(this)), Length(new QDoubleSpinBox(this)),
+      Scale(new QDoubleSpinBox(this)), FollowCamera(new QCheckBox(this)),
+      Start(new QPushButton(this)), Record(new QPushButton(this)),
+      Recording(MakeText("recording", this)), Safety(MakeText("safety", this)),
+      Felt(MakeText("felt", this)), Advice(MakeText("advice", this))
 {
   auto* column = new QVBoxLayout(this);
   auto* form = new QFormLayout;
@@ -109,6 +109,15 @@ void TouchPanel::MakeSettings(QFormLayout* form)
             this->Study.Change(QString("Change the tool's radius to %1 mm").arg(radius), next,
                                "tool radius");
           });
+  this->Length->setObjectName("tool-length");
+  this->Length->setRange(0.0, 100.0);
+  this->Length->setKeyboardTracking(false);
+  this->Length->setSpecialValueText("a sphere");
+  this->Length->setToolTip(
+      "Of a capsule's axis: it lies down, tips, and touches in several places");
+  form->addRow("Tool length, mm", this->Length);
+  connect(this->Length, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          &TouchPanel::ChangeLength);
   this->Scale->setObjectName("scale");
   this->Scale->setRange(0.0, 100.0);
   this->Scale->setSingleStep(0.1);
@@ -129,6 +138,17 @@ void TouchPanel::MakeSettings(QFormLayout* form)
           });
 }
 
+void TouchPanel::ChangeLength(double length)
+{
+  using Shape = TouchToolSettings::Shape;
+  StudyState next = this->Study.State();
+  next.Tool.Kind = length > 0.0 ? Shape::Capsule : Shape::Sphere;
+  next.Tool.Length = length > 0.0 ? length : TouchToolSettings().Length;
+  this->Study.Change(length > 0.0 ? QString("Touch with a capsule of %1 mm").arg(length)
+                                  : QString("Touch with a sphere"),
+                     next, "tool length");
+}
+
 void TouchPanel::ChangeScale(double scale)
 {
   StudyState next = this->Study.State();
@@ -143,9 +163,13 @@ void TouchPanel::ShowState()
   const StudyState& state = this->Study.State();
   const QSignalBlocker device(this->Device);
   const QSignalBlocker radius(this->Radius);
+  const QSignalBlocker length(this->Length);
   const QSignalBlocker scale(this->Scale);
   this->Device->Choose(state.Device);
   this->Radius->setValue(state.Tool.Radius);
+  const bool isCapsule = state.Tool.Kind == TouchToolSettings::Shape::Capsule;
+  this->Length->setValue(isCapsule ? state.Tool.Length : 0.0);
+  this->Length->setEnabled(isCapsule || state.Tool.Kind == TouchToolSettings::Shape::Sphere);
   this->Scale->setValue(state.Placement.Scale.value_or(0.0));
   this->FollowCamera->setChecked(state.Placement.AxesFollowCamera);
   this->ShowTouch();

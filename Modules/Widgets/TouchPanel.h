@@ -43,6 +43,7 @@ private:
   void ShowState();
   void ShowTouch();
   void ShowReading();
+  void ChangeLength(double length);
   void ChangeScale(double scale);
   void ShowRecording();
   QString Warnings() const;
@@ -51,6 +52,7 @@ private:
   QHBoxLayout* Tools;
   DeviceChoice* Device;
   QDoubleSpinBox* Radius;
+  QDoubleSpinBox* Length;
   QDoubleSpinBox* Scale;
   QCheckBox* FollowCamera;
   QPushButton* Start;

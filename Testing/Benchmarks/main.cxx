@@ -19,6 +19,7 @@
 #include "PipelineBenchmarks.h"
 #include "PublishedRates.h"
 #include "RenderBenchmarks.h"
+#include "RigidToolBenchmarks.h"
 #include "SurfaceBenchmarks.h"
 #include "TouchBenchmarks.h"
 #include "TouchQuality.h"
@@ -57,13 +58,14 @@ std::vector<PairedBenchmark> DrawingBenchmarks()
 std::vector<PairedBenchmark> AllBenchmarks()
 {
   std::vector<PairedBenchmark> all;
-  for (auto& group : {palpate::bench::EvaluationBenchmarks(), palpate::bench::SurfaceBenchmarks(),
-                      palpate::bench::FitBenchmarks(), palpate::bench::CompletionBenchmarks(),
-                      palpate::bench::NearestBenchmarks(), palpate::bench::BodyBenchmarks(),
-                      palpate::bench::FieldBenchmarks(), DrawingBenchmarks(),
-                      palpate::bench::TouchBenchmarks(), palpate::bench::BumpyTouchBenchmarks(),
-                      palpate::bench::DrillBenchmarks(), palpate::bench::ElasticBenchmarks(),
-                      palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
+  for (auto& group :
+       {palpate::bench::EvaluationBenchmarks(), palpate::bench::SurfaceBenchmarks(),
+        palpate::bench::FitBenchmarks(), palpate::bench::CompletionBenchmarks(),
+        palpate::bench::NearestBenchmarks(), palpate::bench::BodyBenchmarks(),
+        palpate::bench::FieldBenchmarks(), DrawingBenchmarks(), palpate::bench::TouchBenchmarks(),
+        palpate::bench::BumpyTouchBenchmarks(), palpate::bench::RigidToolBenchmarks(),
+        palpate::bench::DrillBenchmarks(), palpate::bench::ElasticBenchmarks(),
+        palpate::bench::TradeOffBenchmarks(), palpate::bench::PipelineBenchmarks()})
   {
     all.insert(all.end(), group.begin(), group.end());
   }

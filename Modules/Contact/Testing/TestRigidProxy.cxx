@@ -10,6 +10,48 @@ namespace
 {
 constexpr double Stiffness = 1.0; // N/mm
 
+// The distance of a point from what may not be entered (mm, negative inside), and the outward unit
+// normal there.
+struct SurfaceGap
+{
+  double Distance = 0.0;
+  Vector3 Normal = Vector3::UnitZ();
+};
+
+// A proxy of balls among surfaces whose gaps are known.
+class BallProxy : public RigidProxy
+{
+public:
+  explicit BallProxy(ToolSkeleton tool) : RigidProxy(tool), Tool(std::move(tool)) {}
+
+  template <typename GapAt>
+  bool Follow(const ToolPose& hand, const GapAt& gapAt, const SurfaceFriction& friction = {})
+  {
+    return RigidProxy::Follow(
+        hand,
+        [&](const ToolPose& pose, PoseConstraints& limits)
+        {
+          double nearest = 1e300;
+          for (std::size_t n = 0; n < this->Tool.Balls().size(); ++n)
+          {
+            const ToolSkeleton::Ball& ball = this->Tool.Balls()[n];
+            const Vector3 arm = pose.Orientation * ball.Center;
+            const SurfaceGap gap = gapAt(Vector3(pose.PositionWorld + arm));
+            const double left = gap.Distance - ball.Radius;
+            nearest = std::min(nearest, left);
+            if (left < Margin)
+            {
+              limits.Add({arm - ball.Radius * gap.Normal, gap.Normal, left, friction, n});
+            }
+          }
+          return nearest;
+        });
+  }
+
+private:
+  ToolSkeleton Tool;
+};
+
 SurfaceGap AbovePlane(const Vector3& point)
 {
   return {point.z(), Vector3::UnitZ()};
@@ -42,7 +84,7 @@ ToolPose PoseOf(const Vector3& place, const Vector3& axis = Vector3::UnitX(), do
 
 // Follows a hand that stays, until the proxy rests.
 template <typename GapAt>
-void Settle(RigidProxy& proxy, const ToolPose& hand, const GapAt& gapAt)
+void Settle(BallProxy& proxy, const ToolPose& hand, const GapAt& gapAt)
 {
   for (int tick = 0; tick < 400 && !proxy.Follow(hand, gapAt); ++tick)
   {
@@ -55,7 +97,7 @@ constexpr double Quarter = 0.5 * EIGEN_PI;
 
 TEST(RigidProxy, FreeToolIsWhereTheHandIs)
 {
-  RigidProxy proxy(ToolSkeleton::Capsule(2.0, 20.0, 8));
+  BallProxy proxy(ToolSkeleton::Capsule(2.0, 20.0, 8));
   proxy.Begin(PoseOf({0.0, 0.0, 30.0}));
   const ToolPose hand = PoseOf({5.0, -3.0, 25.0}, Vector3(1.0, 2.0, 3.0).normalized(), 0.4);
   Settle(proxy, hand, AbovePlane);
@@ -67,7 +109,7 @@ TEST(RigidProxy, FreeToolIsWhereTheHandIs)
 
 TEST(RigidProxy, SphereIsHeldUpAsASpringToTheSurface)
 {
-  RigidProxy proxy(ToolSkeleton::Capsule(3.0, 0.0, 1));
+  BallProxy proxy(ToolSkeleton::Capsule(3.0, 0.0, 1));
   proxy.Begin(PoseOf({0.0, 0.0, 20.0}));
   const ToolPose hand = PoseOf({1.0, 0.0, 1.5});
   Settle(proxy, hand, AbovePlane);
@@ -80,7 +122,7 @@ TEST(RigidProxy, CapsuleFlatOnAPlaneHasForceAndNoTorque)
 {
   for (const int count : {2, 5, 16})
   {
-    RigidProxy proxy(ToolSkeleton::Capsule(2.0, 20.0, count));
+    BallProxy proxy(ToolSkeleton::Capsule(2.0, 20.0, count));
     proxy.Begin(PoseOf({0.0, 0.0, 10.0}, Lying, Quarter));
     const ToolPose hand = PoseOf(Vector3::Zero(), Lying, Quarter);
     Settle(proxy, hand, AbovePlane);
@@ -94,7 +136,7 @@ TEST(RigidProxy, CapsulePressedAtOneEndTurns)
 {
   // The hand tilts: the lower end is held up. The balance of one contact: with the lever a along
   // the capsule, lambda (1 + a^2 cos^2 / L^2) = depth, to first order in the turn.
-  RigidProxy proxy(ToolSkeleton::Capsule(2.0, 20.0, 2));
+  BallProxy proxy(ToolSkeleton::Capsule(2.0, 20.0, 2));
   const double tilt = 0.05;
   proxy.Begin(PoseOf({0.0, 0.0, 10.0}, Lying, Quarter + tilt));
   const ToolPose hand =
@@ -112,7 +154,7 @@ TEST(RigidProxy, CapsulePressedAtOneEndTurns)
 TEST(RigidProxy, PegIsTiltedAsFarAsItsHoleAllows)
 {
   // r 5 in R 5.2, length 40: as the closed form of two contacts at the ends.
-  RigidProxy proxy(ToolSkeleton::Capsule(5.0, 40.0, 9));
+  BallProxy proxy(ToolSkeleton::Capsule(5.0, 40.0, 9));
   proxy.Begin(PoseOf(Vector3::Zero()));
   const ToolPose hand = PoseOf(Vector3::Zero(), Vector3::UnitX(), 5.0 * EIGEN_PI / 180.0);
   Settle(proxy, hand, InsideHole(5.2));
@@ -129,7 +171,7 @@ TEST(RigidProxy, PegIsTiltedAsFarAsItsHoleAllows)
 
 TEST(RigidProxy, PegPushedSidewaysMovesByItsPlay)
 {
-  RigidProxy proxy(ToolSkeleton::Capsule(5.0, 40.0, 9));
+  BallProxy proxy(ToolSkeleton::Capsule(5.0, 40.0, 9));
   proxy.Begin(PoseOf(Vector3::Zero()));
   const ToolPose hand = PoseOf({1.995, 0.0, 0.0});
   Settle(proxy, hand, InsideHole(5.2));
@@ -144,7 +186,7 @@ TEST(RigidProxy, DoesNotEnterHoweverTheHandMoves)
   std::uniform_real_distribution<double> any(-30.0, 30.0);
   const auto ball = OutsideBall(15.0);
   const ToolSkeleton tool = ToolSkeleton::Capsule(2.0, 20.0, 8);
-  RigidProxy proxy(tool);
+  BallProxy proxy(tool);
   proxy.Begin(PoseOf({0.0, 0.0, 40.0}));
   double deepest = 0.0;
   for (int tick = 0; tick < 4000; ++tick)
@@ -164,11 +206,34 @@ TEST(RigidProxy, DoesNotEnterHoweverTheHandMoves)
   EXPECT_LT(deepest, 0.1) << "curvature within a stride";
 }
 
+TEST(RigidProxy, FrictionHoldsWithinItsConeAndSlipsBeyond)
+{
+  const SurfaceFriction friction{0.5, 0.3};
+  BallProxy proxy(ToolSkeleton::Capsule(2.0, 0.0, 1));
+  const auto follow = [&](const Vector3& place)
+  {
+    for (int tick = 0; tick < 400 && !proxy.Follow(PoseOf(place), AbovePlane, friction); ++tick)
+    {
+    }
+    return proxy.WrenchOn(PoseOf(place), Stiffness);
+  };
+  proxy.Begin(PoseOf({0.0, 0.0, 3.0}));
+  // Pressed by 2 mm, so that 2 N act on the surface; a ball may roll, which takes the force of
+  // friction with half of its radius as a lever, but no force beyond the cone is ever felt.
+  follow({0.0, 0.0, 0.0});
+  const ToolWrench held = follow({0.5, 0.0, 0.0});
+  EXPECT_NEAR(held.Force.z(), 2.0, 1e-5);
+  EXPECT_LT(held.Force.x(), -0.2) << "rolled and held";
+  const ToolWrench slipped = follow({6.0, 0.0, 0.0});
+  EXPECT_NEAR(slipped.Force.x(), -0.3 * 2.0, 1e-4);
+  EXPECT_NEAR(slipped.Force.z(), 2.0, 1e-4);
+}
+
 TEST(RigidProxy, NoClosedPathOfTheHandGainsEnergy)
 {
   // The hand is led around the ball and back; what its force gave must not exceed what was stored.
   const auto ball = OutsideBall(15.0);
-  RigidProxy proxy(ToolSkeleton::Capsule(2.0, 20.0, 8));
+  BallProxy proxy(ToolSkeleton::Capsule(2.0, 20.0, 8));
   const auto handAt = [](double part)
   {
     const double turn = 2.0 * EIGEN_PI * part;

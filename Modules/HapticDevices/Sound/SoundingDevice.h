@@ -31,6 +31,10 @@ public:
   void TellDistance(double distance) noexcept override { this->Felt->TellDistance(distance); }
   bool Read(DeviceSample& sample) noexcept override { return this->Felt->Read(sample); }
   bool Apply(const Vector3& force) noexcept override { return this->Felt->Apply(force); }
+  bool ApplyWrench(const Vector3& force, const Vector3& torque) noexcept override
+  {
+    return this->Felt->ApplyWrench(force, torque);
+  }
   void Show(const TouchState& state) noexcept override;
 
 private:

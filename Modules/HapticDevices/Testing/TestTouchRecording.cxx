@@ -28,6 +28,32 @@ protected:
     return ReadTouchRecording(this->Path, this->Recording);
   }
 
+  // The bytes of 400 ticks as an older version has them: without the last words of session and
+  // tick.
+  void MakeOlder(char version, std::size_t sessionWords, std::size_t tickWords)
+  {
+    const std::size_t tick = 8 * TouchRecordingFormat::TickWords;
+    const std::size_t first = this->Bytes.size() - 400 * tick;
+    std::string old = this->Bytes.substr(0, TouchRecordingFormat::MagicSize + 8 * sessionWords);
+    for (std::size_t at = first; at < this->Bytes.size(); at += tick)
+    {
+      old += this->Bytes.substr(at, 8 * tickWords);
+    }
+    old[24] = version;
+    this->Bytes = old;
+  }
+  // Whose words that the older version lacks are as they were made.
+  void ExpectTicksOf(const TouchRecording& newest)
+  {
+    ASSERT_TRUE(this->ReadBytes().IsOk());
+    ASSERT_EQ(this->Recording.Ticks.size(), newest.Ticks.size());
+    for (std::size_t n = 0; n < newest.Ticks.size(); ++n)
+    {
+      ASSERT_EQ(TouchRecordingFormat::Encode(this->Recording.Ticks[n]),
+                TouchRecordingFormat::Encode(newest.Ticks[n]));
+    }
+  }
+
   test::TemporaryFolder Folder;
   std::string Path = (Folder / "session.touch").string();
   std::string Bytes;
@@ -128,11 +154,11 @@ TEST_F(TouchRecordingFile, TruncatedFileKeepsWholeTicks)
 
 TEST_F(TouchRecordingFile, RejectsOtherFormatOrVersion)
 {
-  for (const char version : {'1', '2', '6'})
+  for (const char version : {'1', '2', '7'})
   {
     this->Bytes[24] = version;
     EXPECT_EQ(this->ReadBytes().Message(),
-              this->Path + " is not a touch recording of version 3, 4 or 5.");
+              this->Path + " is not a touch recording of version 3, 4, 5 or 6.");
   }
   this->Bytes = "";
   EXPECT_FALSE(this->ReadBytes().IsOk());
@@ -140,7 +166,7 @@ TEST_F(TouchRecordingFile, RejectsOtherFormatOrVersion)
             this->Path + "x cannot be read.");
 }
 
-// Version 3 has a number in the upper bits of each tick's flags, and not its last words.
+// Version 3 has a number in the upper bits of each tick's flags.
 TEST_F(TouchRecordingFile, ReadsVersion3WithoutItsUpperFlags)
 {
   ASSERT_TRUE(this->ReadBytes().IsOk());
@@ -153,20 +179,8 @@ TEST_F(TouchRecordingFile, ReadsVersion3WithoutItsUpperFlags)
     this->Bytes[at + 8 * TouchRecordingFormat::FlagsWord + 7] = 2;
   }
   EXPECT_FALSE(this->ReadBytes().IsOk()) << "newer versions have no such flags";
-  std::string old = this->Bytes.substr(0, first - 8);
-  for (std::size_t at = first; at < this->Bytes.size(); at += tick)
-  {
-    old += this->Bytes.substr(at, 8 * TouchRecordingFormat::TickWords3);
-  }
-  old[24] = '3';
-  this->Bytes = old;
-  ASSERT_TRUE(this->ReadBytes().IsOk());
-  ASSERT_EQ(this->Recording.Ticks.size(), newest.Ticks.size());
-  for (std::size_t n = 0; n < newest.Ticks.size(); ++n)
-  {
-    ASSERT_EQ(TouchRecordingFormat::Encode(this->Recording.Ticks[n]),
-              TouchRecordingFormat::Encode(newest.Ticks[n]));
-  }
+  this->MakeOlder('3', TouchRecordingFormat::SessionWords4, TouchRecordingFormat::TickWords3);
+  this->ExpectTicksOf(newest);
 }
 
 // Version 4 does not tell whether there are motors; then no fault ended by itself.
@@ -178,13 +192,18 @@ TEST_F(TouchRecordingFile, DevicesOfVersion4HaveMotors)
   ASSERT_TRUE(this->ReadBytes().IsOk());
   const TouchRecording newest = this->Recording;
   EXPECT_FALSE(newest.Session.Device.HasMotors);
-  this->Bytes.erase(head, 8);
-  this->Bytes[24] = '4';
-  ASSERT_TRUE(this->ReadBytes().IsOk());
+  this->MakeOlder('4', TouchRecordingFormat::SessionWords4, TouchRecordingFormat::TickWords5);
+  this->ExpectTicksOf(newest);
   EXPECT_TRUE(this->Recording.Session.Device.HasMotors);
-  ASSERT_EQ(this->Recording.Ticks.size(), newest.Ticks.size());
-  EXPECT_EQ(TouchRecordingFormat::Encode(this->Recording.Ticks.back()),
-            TouchRecordingFormat::Encode(newest.Ticks.back()));
+}
+
+TEST_F(TouchRecordingFile, DevicesOfVersion5ShowNoTorque)
+{
+  ASSERT_TRUE(this->ReadBytes().IsOk());
+  const TouchRecording newest = this->Recording;
+  this->MakeOlder('5', TouchRecordingFormat::SessionWords5, TouchRecordingFormat::TickWords5);
+  this->ExpectTicksOf(newest);
+  EXPECT_EQ(this->Recording.Session.Device.MaximumTorque, 0.0);
 }
 
 TEST_F(TouchRecordingFile, ThatLacksATickIsRefused)

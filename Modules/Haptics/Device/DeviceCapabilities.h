@@ -12,9 +12,10 @@ namespace palpate
 struct DeviceCapabilities
 {
   std::string Name;              ///< for display
-  int DegreesOfFreedom = 3;      ///< of the measured pose: 3 or 6; forces have 3
+  int DegreesOfFreedom = 3;      ///< of the measured pose: 3 or 6
   Eigen::AlignedBox3d Workspace; ///< mm
   double MaximumForce = 0.0;     ///< N, in any direction
+  double MaximumTorque = 0.0;    ///< N mm, about any axis; 0 if it shows none
   double MaximumStiffness = 0.0; ///< N/mm, stable according to its manufacturer or experience
   double MaximumDamping = 0.0;   ///< N s/mm, of commanded forces, likewise
   double Damping = 0.0;          ///< N s/mm, of the mechanism itself

@@ -65,6 +65,13 @@ public:
   /// false if nothing was sent: the device failed, as State tells, or its connection is busy. The
   /// servo faults if that lasts longer than LongestGap.
   virtual bool Apply(const Vector3& force) noexcept = 0;
+  /// The same with a torque (N mm, device's frame) about the origin of what it holds, for devices
+  /// whose MaximumTorque is above 0. Apply alone takes the torque away.
+  virtual bool ApplyWrench(const Vector3& force, const Vector3& torque) noexcept
+  {
+    static_cast<void>(torque);
+    return this->Apply(force);
+  }
 
   /// The tick whose force was applied, for devices that display more than a force. Servo thread,
   /// with the same requirements as Apply.

@@ -6,11 +6,29 @@ namespace
 {
 // s. The filter's gain is at most 1, so no more is credited than was absorbed.
 constexpr double MotionTimeConstant = 0.003;
+
+// N mm/s: all of the torque in the time of all of the force.
+double TorqueRate(const SafetySettings& settings) noexcept
+{
+  return settings.MaximumForce > 0.0
+             ? settings.MaximumSlew / settings.MaximumForce * settings.MaximumTorque
+             : 0.0;
+}
+
+// rad, in the device's frame, on the shorter way.
+Vector3 TurnBetween(const DeviceSample& from, const DeviceSample& to) noexcept
+{
+  const Eigen::Map<const Eigen::Quaterniond> before(from.Orientation.data());
+  const Eigen::Map<const Eigen::Quaterniond> after(to.Orientation.data());
+  const Eigen::AngleAxisd turn(after * before.conjugate());
+  return (turn.angle() > EIGEN_PI ? turn.angle() - 2.0 * EIGEN_PI : turn.angle()) * turn.axis();
+}
 } // namespace
 
 SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
     : Dog(settings.Limits), Recovery(settings.HasMotors), Ramp(settings.RampDuration),
       Energy(settings.LargestDamping), Limit(settings.MaximumForce), Slew(settings.MaximumSlew),
+      TorqueLimit(settings.MaximumTorque), TorqueSlew(TorqueRate(settings)),
       Motion(MotionTimeConstant), DeviceDamping(settings.DeviceDamping),
       DeviceFriction(settings.DeviceFriction)
 {
@@ -38,6 +56,10 @@ void SafetyChain::KeepBooks(const TickObservation& now, const Vector3& path, dou
 {
   const double speed = this->Motion.Update(now.Sample.Position, period).norm();
   this->Energy.Account(this->AppliedContact, path);
+  if (this->HasLast && !this->AppliedTorque.isZero(0.0))
+  {
+    this->Energy.Account(this->AppliedTorque, TurnBetween(this->Last.Sample, now.Sample));
+  }
   this->Energy.Credit((this->DeviceDamping * speed + this->DeviceFriction) * speed * period);
 }
 
@@ -46,8 +68,10 @@ Vector3 SafetyChain::Zero() noexcept
   this->Motion.Reset();
   this->HasLast = false;
   this->AppliedContact.setZero();
+  this->AppliedTorque.setZero();
   this->Energy.Close();
   this->Slew.Reset();
+  this->TorqueSlew.Reset();
   this->Ramp.Restart();
   return Vector3::Zero();
 }
@@ -121,6 +145,12 @@ Vector3 SafetyChain::Apply(const SafetyInput& input) noexcept
   return force;
 }
 
+Vector3 SafetyChain::ShapedTorque(const Vector3& torque, double factor, double period) noexcept
+{
+  const Vector3 limited = this->TorqueLimit.Apply(factor * this->Guard.Apply(torque));
+  return this->TorqueLimit.Apply(this->TorqueSlew.Apply(limited, period));
+}
+
 Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
 {
   const double period = this->PeriodBefore(input.Observed);
@@ -144,6 +174,9 @@ Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
   Vector3 force = this->Limit.Apply(slewed);
   // Exactly zero without contact, once the slew limit has settled.
   this->AppliedContact = force - ambient;
+  const double wanted = (contact + ambient).norm();
+  const double kept = isLimited ? limited.norm() / wanted : 1.0;
+  this->AppliedTorque = this->ShapedTorque(input.ContactTorque, kept * factor, period);
 
   this->LastReport = {
       SafetyFault::None,      true,  this->Ramp.IsRamping(), !damping.isZero(0.0), isLimited,

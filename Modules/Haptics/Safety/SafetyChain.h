@@ -16,6 +16,7 @@ struct SafetySettings
 {
   double MaximumForce = 0.0;   ///< N; 0: no force
   double MaximumSlew = 2000.0; ///< N/s
+  double MaximumTorque = 0.0;  ///< N mm; 0: no torque. It changes as fast as the force, by its part
   double RampDuration = 0.3;   ///< s
   double LargestDamping = 0.0; ///< N s/mm, limit for the energy observer
   double DeviceDamping = 0.0;  ///< N s/mm, of the mechanism; 0 if unknown
@@ -30,15 +31,17 @@ struct SafetyInput
   TickObservation Observed;
   SafetyFault SceneFault = SafetyFault::None; ///< reported by the scene
   bool IsTouching = false;
-  Vector3 ContactForce = Vector3::Zero(); ///< N
-  Vector3 AmbientForce = Vector3::Zero(); ///< N, acts without contact too: gravity compensation
+  Vector3 ContactForce = Vector3::Zero();  ///< N
+  Vector3 AmbientForce = Vector3::Zero();  ///< N, acts without contact too: gravity compensation
+  Vector3 ContactTorque = Vector3::Zero(); ///< N mm
 };
 
 /// Stands between everything that computes forces and the device; it cannot be switched off. In
 /// this order: watchdog, non-finite guard, ramp, energy observer, limit, slew limit.
 ///
-/// For any input its output is finite and no longer than MaximumForce. A fault gives 0 N at once
-/// and for good, until Rearm; only without motors, faults of timing end by themselves
+/// For any input its output is finite and no longer than MaximumForce. A torque passes the same: it
+/// is scaled as the limit scales the force, and no longer than MaximumTorque. A fault gives 0 N at
+/// once and for good, until Rearm; only without motors, faults of timing end by themselves
 /// (FaultRecovery), and forces fade in. It passes no force before the device is Ready.
 class SafetyChain
 {
@@ -47,6 +50,8 @@ public:
 
   /// Once a tick: the force (N, device's frame) to apply.
   Vector3 Apply(const SafetyInput& input) noexcept;
+  /// N mm, device's frame: of the last Apply, with its force.
+  const Vector3& Torque() const noexcept { return this->AppliedTorque; }
   /// A fault detected while applying the force. The first one since arming remains, except that
   /// one that lasts replaces one that would end by itself.
   void Fail(SafetyFault fault) noexcept;
@@ -66,6 +71,7 @@ private:
   double PeriodBefore(const TickObservation& now) const noexcept;
   Vector3 PathBefore(const TickObservation& now) const noexcept;
   void KeepBooks(const TickObservation& now, const Vector3& path, double period) noexcept;
+  Vector3 ShapedTorque(const Vector3& torque, double factor, double period) noexcept;
   Vector3 Zero() noexcept;
 
   Watchdog Dog;
@@ -75,6 +81,8 @@ private:
   EnergyObserver Energy;
   ForceLimit Limit;
   SlewLimit Slew;
+  ForceLimit TorqueLimit;
+  SlewLimit TorqueSlew;
   SafetyReport LastReport;
   VelocityEstimate Motion; // mm/s
   double DeviceDamping;    // N s/mm
@@ -82,5 +90,6 @@ private:
   TickObservation Last;
   bool HasLast = false;
   Vector3 AppliedContact = Vector3::Zero(); // N, of the last tick, held since
+  Vector3 AppliedTorque = Vector3::Zero();  // N mm, likewise
 };
 } // namespace palpate

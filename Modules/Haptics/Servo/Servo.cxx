@@ -24,6 +24,7 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
 {
   SafetySettings safety;
   safety.MaximumForce = device.MaximumForce;
+  safety.MaximumTorque = device.MaximumTorque;
   safety.LargestDamping = device.MaximumDamping;
   safety.DeviceDamping = device.Damping;
   safety.DeviceFriction = device.Friction;
@@ -66,7 +67,7 @@ void Servo::Tick(const TickInfo& tick) noexcept
     this->Feel(now);
   }
   const Vector3 force = this->Safety.Apply(this->InputOf(now));
-  const bool isTaken = this->Send(force);
+  const bool isTaken = this->Send(force, this->Safety.Torque());
   this->OrderCuts();
   TouchState state = this->StateOf(now, force);
   state.WasTaken = isTaken;
@@ -294,6 +295,7 @@ void Servo::Feel(const TickObservation& now) noexcept
   if (this->IsClutched)
   {
     this->Current.Felt.Deepest.ProxyWorld = this->Current.Pose.PositionWorld;
+    this->Current.Felt.ProxyOrientation = this->Current.Pose.Orientation;
     return;
   }
   this->Current.Felt = scene->Follow(this->StepTo(now.Sample, passed));
@@ -308,13 +310,14 @@ SafetyInput Servo::InputOf(const TickObservation& now) const noexcept
   input.SceneFault = this->Current.Felt.IsValid ? SafetyFault::None : SafetyFault::InvalidContact;
   input.IsTouching = this->Current.Felt.Structure >= 0;
   input.ContactForce = this->Current.Felt.Force;
+  input.ContactTorque = this->Current.Felt.Torque;
   input.AmbientForce = this->Carrying + this->Current.Felt.Field;
   return input;
 }
 
-bool Servo::Send(const Vector3& force) noexcept
+bool Servo::Send(const Vector3& force, const Vector3& torque) noexcept
 {
-  const bool isTaken = this->Device.Apply(force);
+  const bool isTaken = this->Device.ApplyWrench(force, torque);
   const bool isReady = this->Device.State() == DeviceState::Ready;
   this->UntakenTicks = isReady && !isTaken ? this->UntakenTicks + 1 : 0;
   if (this->UntakenTicks > this->MostUntaken)
@@ -333,7 +336,12 @@ TouchState Servo::StateOf(const TickObservation& now, const Vector3& force) noex
   state.Sample = now.Sample;
   state.ProbeWorld = this->Current.Pose.PositionWorld;
   state.ProxyWorld = this->Current.Felt.Deepest.ProxyWorld;
+  Eigen::Map<Eigen::Vector4d>(state.ProbeOrientation.data()) =
+      this->Current.Pose.Orientation.coeffs();
+  Eigen::Map<Eigen::Vector4d>(state.ProxyOrientation.data()) =
+      this->Current.Felt.ProxyOrientation.coeffs();
   state.ForceDevice = force;
+  state.TorqueDevice = this->Safety.Torque();
   ServoScene* const scene = this->Scenes.Current();
   state.ForceWorld = scene != nullptr ? scene->Scene().Frame.TurnedToWorld(force) : force;
   state.Structure = this->Current.Felt.Structure;

@@ -132,7 +132,7 @@ private:
   FollowStep StepTo(const DeviceSample& sample, double passed) noexcept;
   void ForgetMotion() noexcept;
   SafetyInput InputOf(const TickObservation& now) const noexcept;
-  bool Send(const Vector3& force) noexcept;
+  bool Send(const Vector3& force, const Vector3& torque) noexcept;
   TouchState StateOf(const TickObservation& now, const Vector3& force) noexcept;
 
   // Exchanged with other threads, on separate cache lines.

@@ -18,14 +18,20 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
   const std::vector<TouchStructure>& structures = next->Shared->Structures;
   std::vector<Eigen::AlignedBox3d> reaches;
   next->Followers.reserve(structures.size());
+  // A drill's feed moves it without turning it.
+  if (status.IsOk() && next->Shared->Tool.Skeleton() != nullptr &&
+      next->Shared->Drill.Link == nullptr)
+  {
+    next->Tool = std::make_shared<SharedProxy>(*next->Shared->Tool.Skeleton());
+  }
   for (const TouchStructure& structure : structures)
   {
     if (!status.IsOk())
     {
       return status;
     }
-    status =
-        StructureFollower::Make(structure, *next->Shared, velocityTimeConstant, next->Followers);
+    status = StructureFollower::Make(structure, *next->Shared, velocityTimeConstant,
+                                     next->Followers, next->Tool);
     reaches.push_back(StructureFollower::ReachWorld(structure, next->Shared->Tool));
     if (structure.Id != 0)
     {
@@ -65,6 +71,7 @@ void ServoScene::Leave() noexcept
     this->Followers[this->Near[i]].Leave();
   }
   this->Fading = {};
+  this->ToolBefore.reset();
   this->Limit = HandoverLimit();
   this->ContactNow.setZero();
   this->FieldNow.setZero();
@@ -107,6 +114,10 @@ void ServoScene::CarryOn(const ServoScene& before) noexcept
 {
   this->Limit = HandoverLimit(before.ContactNow.norm(), before.Hand);
   this->FieldBefore = before.FieldNow;
+  if (this->Tool != nullptr && before.Tool != nullptr)
+  {
+    this->ToolBefore = {before.Tool->Pose(), before.ToolHand, before.Shared->Frame};
+  }
   this->FieldFading = RampIn(HandoverDuration);
   for (const FadingStructure& one : before.Fading)
   {
@@ -146,8 +157,12 @@ void ServoScene::LookAround(const FollowStep& step) noexcept
   constexpr double Wider = 8.0;   // paths, on each side
   constexpr double TooWide = 4.0; // times that, if the hand has become slower
   constexpr std::size_t Few = 8;
-  const Eigen::AlignedBox3d path = step.PathWorld();
+  Eigen::AlignedBox3d path = step.PathWorld();
   const double margin = Wider * path.sizes().maxCoeff();
+  if (this->Tool != nullptr && !step.IsPlaced)
+  {
+    path.extend(this->Tool->Pose().PositionWorld); // where it may meet others than the hand
+  }
   const bool isTooWide = this->NearCount > Few && this->Margin > TooWide * margin;
   if (this->LookedAt.contains(path) && !isTooWide)
   {
@@ -170,6 +185,25 @@ void ServoScene::LookAround(const FollowStep& step) noexcept
     }
   }
   this->NearCount = this->Index.Find(searched, this->Near.data());
+}
+
+// One that was placed begins there, or where the previous scene held it, unless a new frame has
+// moved the hand away.
+void ServoScene::MoveTool(const FollowStep& step) noexcept
+{
+  if (step.IsPlaced)
+  {
+    const bool isContinued =
+        this->ToolBefore &&
+        (this->ToolBefore->Frame == this->Shared->Frame ||
+         (step.Now.PositionWorld - this->ToolBefore->Hand.PositionWorld).norm() <=
+             StructureFollower::LongestJump * this->Shared->Frame.Magnification());
+    this->Tool->Begin(isContinued ? this->ToolBefore->Proxy : step.Now, this->Near.data(),
+                      this->NearCount);
+    this->ToolBefore.reset();
+  }
+  this->Tool->Follow(step.Now, this->Near.data(), this->NearCount);
+  this->ToolHand = step.Now;
 }
 
 // Takes versions that are newer, or that this scene has not used yet.
@@ -256,17 +290,23 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
 {
   Feeling feeling;
   feeling.Deepest.ProxyWorld = step.Now.PositionWorld;
+  feeling.ProxyOrientation = step.Now.Orientation;
   Vector3 field = Vector3::Zero();
   if (step.AsksModel)
   {
     this->TakeVersions();
     this->LookAround(step);
     this->BeginAgain(step);
+    if (this->Tool != nullptr)
+    {
+      this->MoveTool(step);
+    }
   }
   for (std::size_t i = 0; i < this->NearCount; ++i)
   {
     StructureFollower& follower = this->Followers[this->Near[i]];
     feeling.Force += follower.Follow(step);
+    feeling.Torque += follower.Torque();
     field += follower.FieldForce();
     const Contact& contact = follower.Touched();
     feeling.IsValid = feeling.IsValid && contact.IsValid;
@@ -289,6 +329,11 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
   {
     feeling.Force =
         this->Limit.Limited(feeling.Force, this->StiffnessDevice(), step.Hand, step.Passed);
+  }
+  if (this->Tool != nullptr)
+  {
+    feeling.Deepest.ProxyWorld = this->Tool->Pose().PositionWorld;
+    feeling.ProxyOrientation = this->Tool->Pose().Orientation;
   }
   this->ContactNow = feeling.Force;
   for (const auto& everywhere : this->Shared->Fields)

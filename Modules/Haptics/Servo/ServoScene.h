@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -36,11 +37,15 @@ public:
   {
     Vector3 Force = Vector3::Zero(); ///< N, the sum over all structures
     Vector3 Field = Vector3::Zero(); ///< N, of their force fields, in addition
-    int Structure = -1;              ///< the one touched most deeply; -1 without contact
-    Contact Deepest;                 ///< of that structure
-    bool IsValid = true;             ///< every model gave a valid result
-    bool IsBuried = false;           ///< a structure contains the tool, which did not move there
-    bool IsBehind = false;           ///< a proxy has not reached its place (Contact::IsBehind)
+    /// N mm about the tool's origin, the sum; of tools of several balls.
+    Vector3 Torque = Vector3::Zero();
+    /// Of the tool's proxy, in the world: the hand's, but for tools of several balls.
+    Eigen::Quaterniond ProxyOrientation = Eigen::Quaterniond::Identity();
+    int Structure = -1;    ///< the one touched most deeply; -1 without contact
+    Contact Deepest;       ///< of that structure
+    bool IsValid = true;   ///< every model gave a valid result
+    bool IsBuried = false; ///< a structure contains the tool, which did not move there
+    bool IsBehind = false; ///< a proxy has not reached its place (Contact::IsBehind)
   };
 
   static Status Make(std::shared_ptr<const TouchScene> scene, double velocityTimeConstant,
@@ -79,6 +84,7 @@ private:
 
   void CarryOn(const StructureFollower& before, std::uint32_t next) noexcept;
   void LookAround(const FollowStep& step) noexcept;
+  void MoveTool(const FollowStep& step) noexcept;
   void TakeVersions() noexcept;
   void BeginAgain(const FollowStep& step) noexcept;
   void FadeOut(int structure, const FadingContact& contact) noexcept;
@@ -87,6 +93,15 @@ private:
   explicit ServoScene(std::shared_ptr<const TouchScene> scene) : Shared(std::move(scene)) {}
 
   std::shared_ptr<const TouchScene> Shared;
+  std::shared_ptr<SharedProxy> Tool; // of several balls; null for others
+  struct ToolPlace
+  {
+    ToolPose Proxy;
+    ToolPose Hand;
+    DeviceFrame Frame;
+  };
+  std::optional<ToolPlace> ToolBefore; // in the previous scene
+  ToolPose ToolHand;                   // of the last Follow
   std::vector<StructureFollower> Followers;
   ReachIndex Index;
   Eigen::AlignedBox3d LookedAt; // world; from inside it, no structure outside Near can be touched

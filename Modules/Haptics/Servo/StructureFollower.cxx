@@ -1,6 +1,7 @@
 #include "StructureFollower.h"
 
 #include "ElasticForce.h"
+#include "SharedTracker.h"
 
 #include <algorithm>
 #include <utility>
@@ -82,14 +83,22 @@ Eigen::AlignedBox3d StructureFollower::ReachWorld(const TouchStructure& structur
 
 Status StructureFollower::Make(const TouchStructure& structure, const TouchScene& scene,
                                double velocityTimeConstant,
-                               std::vector<StructureFollower>& followers)
+                               std::vector<StructureFollower>& followers,
+                               const std::shared_ptr<SharedProxy>& shared)
 {
   std::unique_ptr<ContactTracker> tracker;
-  const Status status = structure.Model->MakeTracker(scene.Tool, structure.Friction, tracker);
+  std::unique_ptr<ToolGaps> gaps;
+  const Status status = shared != nullptr
+                            ? structure.Model->MakeGaps(scene.Tool, structure.Friction, gaps)
+                            : structure.Model->MakeTracker(scene.Tool, structure.Friction, tracker);
   if (!status.IsOk())
   {
     return Status::Failure("The structure " + structure.Name +
                            " cannot be touched: " + status.Message());
+  }
+  if (shared != nullptr)
+  {
+    tracker = std::make_unique<SharedTracker>(shared, shared->Add(std::move(gaps)));
   }
   if (structure.Site >= 0 && !tracker->CanBeDrilled())
   {
@@ -118,6 +127,7 @@ void StructureFollower::Leave() noexcept
   this->Before = nullptr;
   this->Weight = RampIn(0.0);
   this->Force.setZero();
+  this->TorqueDevice.setZero();
   this->OfFields.setZero();
   this->OffsetVelocity.Reset();
   this->Interpolation.Reset();
@@ -218,7 +228,6 @@ Vector3 StructureFollower::ElasticPush(const Vector3& offsetWorld) const noexcep
 // is free. None for a tool that a new frame has moved.
 bool StructureFollower::FindStart(const FollowStep& step, ToolPose& start) noexcept
 {
-  constexpr double LongestJump = 1.0; // mm of the hand
   if (this->Before == nullptr)
   {
     return false;
@@ -343,6 +352,7 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   this->Factor = this->Weight.Advance(step.Passed);
   this->NormalDevice = felt.Normal;
   this->Force = this->Factor * this->WithEffects(touch);
+  this->TorqueDevice = this->Factor * this->TorqueOf(this->Last);
   this->OfFields = this->FieldForceAt(step.Now.PositionWorld);
   if (this->Feed != nullptr)
   {
@@ -351,10 +361,20 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   return this->Force;
 }
 
+// Arms and shifts are shorter at the hand where the world is magnified.
+Vector3 StructureFollower::TorqueOf(const Contact& contact) const noexcept
+{
+  const double scale = this->Frame->Magnification();
+  return contact.IsTouching ? Vector3(this->Law.Stiffness / (scale * scale) *
+                                      this->Frame->TurnedToDevice(contact.Turn))
+                            : Vector3::Zero();
+}
+
 Vector3 StructureFollower::BeSilent(const FollowStep& step) noexcept
 {
   this->Last = Untouched(step.Now.PositionWorld);
   this->Force.setZero();
+  this->TorqueDevice.setZero();
   this->OfFields = this->Follows ? this->FieldForceAt(step.Now.PositionWorld) : Vector3::Zero();
   return Vector3::Zero();
 }
@@ -364,8 +384,7 @@ bool StructureFollower::EntersByCut() const noexcept
 {
   const Vector3& normal = this->Last.NormalWorld;
   return this->Last.IsTouching &&
-         IsOnCut(this->Structure->Cuts, this->Last.ProxyWorld - this->ToolRadiusWorld * normal,
-                 normal);
+         IsOnCut(this->Structure->Cuts, this->SurfaceNear(this->Last.ProxyWorld, normal), normal);
 }
 
 // Feeds the tool towards the probe; returns the drilling force in addition to the contact's.
@@ -386,7 +405,14 @@ Vector3 StructureFollower::Drill(const FollowStep& step, const ContactOffset& fe
                     passed > 0.0 ? went / passed : 0.0, step.Time);
 }
 
-// Effects see the point where the tool touches, as a sphere does.
+// Where the tool touches: a sphere with its side, one of several balls at its foot.
+Vector3 StructureFollower::SurfaceNear(const Vector3& proxyWorld,
+                                       const Vector3& normalWorld) const noexcept
+{
+  return this->Last.HasFoot ? this->Last.FootWorld
+                            : Vector3(proxyWorld - this->ToolRadiusWorld * normalWorld);
+}
+
 EffectTouch StructureFollower::TouchOf(const ContactOffset& felt, const Vector3& proxyWorld,
                                        const FollowStep& step) const noexcept
 {
@@ -395,7 +421,7 @@ EffectTouch StructureFollower::TouchOf(const ContactOffset& felt, const Vector3&
   touch.HandVelocity = step.HandVelocity;
   touch.CenterDepth = this->ToolRadiusDevice;
   touch.OwnStiffness = this->Structure->Law.Stiffness;
-  touch.SurfaceWorld = proxyWorld - this->ToolRadiusWorld * this->Frame->TurnedToWorld(felt.Normal);
+  touch.SurfaceWorld = this->SurfaceNear(proxyWorld, this->Frame->TurnedToWorld(felt.Normal));
   touch.WorldPerDevice = this->Frame->WorldPerDevice();
   touch.Time = step.Time;
   return touch;

@@ -6,6 +6,7 @@
 #include "FadingContact.h"
 #include "ForceInterpolation.h"
 #include "RampIn.h"
+#include "SharedProxy.h"
 #include "TouchScene.h"
 #include "VelocityEstimate.h"
 
@@ -58,14 +59,18 @@ public:
   StructureFollower& operator=(const StructureFollower&) = delete;
   ~StructureFollower() = default;
 
-  /// Creates the tracker. Keeps the addresses of both; the structure must belong to the scene.
-  /// `velocityTimeConstant` in s.
+  /// Creates the tracker, for a tool of several balls one of `shared`, which is null for others.
+  /// Keeps the addresses of both; the structure must belong to the scene. `velocityTimeConstant` in
+  /// s.
   static Status Make(const TouchStructure& structure, const TouchScene& scene,
-                     double velocityTimeConstant, std::vector<StructureFollower>& followers);
+                     double velocityTimeConstant, std::vector<StructureFollower>& followers,
+                     const std::shared_ptr<SharedProxy>& shared = nullptr);
 
   /// The force (N) in the device's frame.
   Vector3 Follow(const FollowStep& step) noexcept;
 
+  /// N mm, device's frame: about the tool's origin, of the last Follow.
+  const Vector3& Torque() const noexcept { return this->TorqueDevice; }
   /// N, device's frame: of the structure's force fields, in addition to the result of the last
   /// Follow.
   const Vector3& FieldForce() const noexcept { return this->OfFields; }
@@ -101,6 +106,8 @@ public:
   void CarryOn(const StructureFollower& before, const FollowedBefore* state) noexcept;
   /// mm of the hand; of a shape that grew.
   static constexpr double MostLifted = 2.0;
+  /// mm of the hand, with a new frame; a contact does not carry on over more.
+  static constexpr double LongestJump = 1.0;
   /// Uses this version of a drilled field from now on. The solid must live until the next one is
   /// set.
   void UseSolid(const FieldSolid& solid, std::uint64_t version) noexcept;
@@ -141,6 +148,8 @@ private:
     return step.IsDrilling && this->Structure->Drill.Wear > 0.0;
   }
   bool EntersByCut() const noexcept;
+  Vector3 SurfaceNear(const Vector3& proxyWorld, const Vector3& normalWorld) const noexcept;
+  Vector3 TorqueOf(const Contact& contact) const noexcept;
   Vector3 BeSilent(const FollowStep& step) noexcept;
   Vector3 Drill(const FollowStep& step, const ContactOffset& felt, double push) noexcept;
   bool FindStart(const FollowStep& step, ToolPose& start) noexcept;
@@ -171,6 +180,7 @@ private:
   double Factor = 1.0;                    // of the weight, last value
   ContactLaw Law;                         // of the last contact, with its effects
   Vector3 Force = Vector3::Zero();
+  Vector3 TorqueDevice = Vector3::Zero();
   Vector3 OfFields = Vector3::Zero();
   Vector3 NormalDevice = Vector3::UnitZ(); // of it
 };

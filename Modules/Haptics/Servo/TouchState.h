@@ -6,6 +6,7 @@
 #include "LoopSchedule.h"
 #include "SafetyReport.h"
 
+#include <array>
 #include <cstdint>
 
 namespace palpate
@@ -18,10 +19,15 @@ struct TouchState
   DeviceState State = DeviceState::Closed;
   bool HasSample = false;
   DeviceSample Sample;
-  PlainVector3 ProbeWorld;     ///< device position, mm
-  PlainVector3 ProxyWorld;     ///< displayed tool position, mm: the deepest contact's proxy
-  PlainVector3 ForceDevice;    ///< to be applied, N
-  PlainVector3 ForceWorld;     ///< the same, rotated
+  PlainVector3 ProbeWorld;   ///< device position, mm
+  PlainVector3 ProxyWorld;   ///< displayed tool position, mm: the deepest contact's proxy
+  PlainVector3 ForceDevice;  ///< to be applied, N
+  PlainVector3 ForceWorld;   ///< the same, rotated
+  PlainVector3 TorqueDevice; ///< to be applied, N mm
+  /// Of the tool at the hand and as displayed, to the world: x, y, z, w of a unit quaternion. They
+  /// differ for tools of several balls.
+  std::array<double, 4> ProbeOrientation{0.0, 0.0, 0.0, 1.0};
+  std::array<double, 4> ProxyOrientation{0.0, 0.0, 0.0, 1.0};
   bool WasTaken = false;       ///< the device accepted the force
   std::int32_t Structure = -1; ///< the one touched most deeply; -1 without contact
   double Depth = 0.0;          ///< mm, in that structure

@@ -2,6 +2,9 @@
 
 #include "TouchRecordingFormat.h"
 
+#include <algorithm>
+#include <array>
+#include <cstdint>
 #include <fstream>
 #include <utility>
 
@@ -23,21 +26,32 @@ bool ReadWords(std::istream& file, std::array<std::uint64_t, Count>& words,
   return file.gcount() == bytes;
 }
 
-bool ReadSession(std::istream& file, bool hasMotorsWord, RecordedSession& session)
+struct Version
 {
-  SessionRecord record{};
-  record.back() = 1; // motors
-  return ReadWords(file, record, hasMotorsWord ? SessionWords : SessionWords4) &&
-         Decode(record, session);
+  const char* Begins;
+  std::size_t SessionCount;
+  std::size_t TickCount;
+  std::uint64_t SkippedFlags;
+};
+constexpr std::array<Version, 4> Versions{{{Magic, SessionWords, TickWords, 0},
+                                           {Magic5, SessionWords5, TickWords5, 0},
+                                           {Magic4, SessionWords4, TickWords5, 0},
+                                           {Magic3, SessionWords4, TickWords3, SkippedFlags3}}};
+
+// What an older version does not have is as in a state that was just made; all devices have motors.
+bool ReadSession(std::istream& file, const Version& version, RecordedSession& session)
+{
+  SessionRecord record = Encode(RecordedSession());
+  return ReadWords(file, record, version.SessionCount) && Decode(record, session);
 }
 
-Status ReadTicks(const std::string& path, std::istream& file, bool isVersion3,
+Status ReadTicks(const std::string& path, std::istream& file, const Version& version,
                  std::vector<TouchState>& ticks)
 {
-  TickRecord record{};
-  while (ReadWords(file, record, isVersion3 ? TickWords3 : TickWords))
+  TickRecord record = Encode(TouchState());
+  while (ReadWords(file, record, version.TickCount))
   {
-    record[FlagsWord] &= isVersion3 ? ~SkippedFlags3 : ~std::uint64_t{0};
+    record[FlagsWord] &= ~version.SkippedFlags;
     TouchState state;
     if (!Decode(record, state))
     {
@@ -65,15 +79,18 @@ Status ReadTouchRecording(const std::string& path, TouchRecording& recording)
   std::string magic(MagicSize, ' ');
   file.read(magic.data(), static_cast<std::streamsize>(magic.size()));
   TouchRecording read;
-  const bool isKnown = magic == Magic || magic == Magic4 || magic == Magic3;
-  if (!isKnown || !ReadSession(file, magic == Magic, read.Session))
+  const auto* const version =
+      std::find_if(Versions.begin(), Versions.end(),
+                   [&](const Version& known) { return magic == known.Begins; });
+  if (version == Versions.end() || !ReadSession(file, *version, read.Session))
   {
-    return Status::Failure(path + " is not a touch recording of version 3, 4 or 5.");
+    return Status::Failure(path + " is not a touch recording of version 3, 4, 5 or 6.");
   }
-  Status status = ReadTicks(path, file, magic == Magic3, read.Ticks);
+  Status status = ReadTicks(path, file, *version, read.Ticks);
   if (status.IsOk())
   {
     read.WasCutOff = file.gcount() > 0;
+    read.HasTorques = version == Versions.begin();
     recording = std::move(read);
   }
   return status;

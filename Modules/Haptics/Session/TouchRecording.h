@@ -14,8 +14,9 @@ namespace palpate
 struct RecordedSession
 {
   ServoSettings Settings;
-  /// Only the members that forces depend on: MaximumForce, MaximumDamping, Damping, Friction,
-  /// GravityCompensation, HasMotors, and LeastRate, which is its Rate if it was read from a file.
+  /// Only the members that forces depend on: MaximumForce, MaximumTorque, MaximumDamping, Damping,
+  /// Friction, GravityCompensation, HasMotors, and LeastRate, which is its Rate if it was read from
+  /// a file.
   DeviceCapabilities Device;
 };
 
@@ -25,6 +26,7 @@ struct TouchRecording
   RecordedSession Session;
   std::vector<TouchState> Ticks;
   bool WasCutOff = false; ///< the file ended within a tick, which is omitted
+  bool HasTorques = true; ///< false for a file of an older version, without orientations too
 };
 
 /// Reads a file that a TouchRecorder wrote, or the part of an unfinished one (its name ends with

@@ -137,6 +137,14 @@ void VisitTick(Words& words, State& s, Flags& flags)
   words.Field(s.DrillOrders);
   words.Field(s.PatchRadius);
   words.Field(s.ElasticEnergy);
+  VisitVector(words, s.TorqueDevice);
+  for (auto* orientation : {&s.ProbeOrientation, &s.ProxyOrientation})
+  {
+    for (auto& number : *orientation)
+    {
+      words.Field(number);
+    }
+  }
 }
 
 template <typename Words, typename Session>
@@ -154,6 +162,7 @@ void VisitSession(Words& words, Session& s)
   words.Field(s.Device.Rate);
   VisitVector(words, s.Device.GravityCompensation);
   words.Small(s.Device.HasMotors);
+  words.Field(s.Device.MaximumTorque);
 }
 } // namespace
 

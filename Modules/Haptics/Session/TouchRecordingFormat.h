@@ -13,8 +13,10 @@ namespace palpate
 /// they are read back exactly.
 namespace TouchRecordingFormat
 {
-inline constexpr char Magic[] = "palpate-touch-recording 5\n";
-/// Without the session's last word: every device has motors.
+inline constexpr char Magic[] = "palpate-touch-recording 6\n";
+/// Without the session's largest torque, and torque and orientations of each tick.
+inline constexpr char Magic5[] = "palpate-touch-recording 5\n";
+/// Like 5, without the session's word on motors: every device has motors.
 inline constexpr char Magic4[] = "palpate-touch-recording 4\n";
 /// Of 0.1.0: like 4, but flags have bits from 48 up, which are skipped, and the last words of a
 /// tick, which describe structures that yield, are missing.
@@ -23,9 +25,11 @@ inline constexpr std::size_t MagicSize = sizeof(Magic) - 1;
 /// Index of the word that holds flags, in a tick.
 inline constexpr std::size_t FlagsWord = 5;
 inline constexpr std::uint64_t SkippedFlags3 = ~std::uint64_t{0} << 48;
-inline constexpr std::size_t SessionWords = 14;
+inline constexpr std::size_t SessionWords = 15;
+inline constexpr std::size_t SessionWords5 = 14;
 inline constexpr std::size_t SessionWords4 = 13; ///< of versions 3 and 4
-inline constexpr std::size_t TickWords = 39;
+inline constexpr std::size_t TickWords = 50;
+inline constexpr std::size_t TickWords5 = 39; ///< of versions 4 and 5
 inline constexpr std::size_t TickWords3 = 37;
 
 using SessionRecord = std::array<std::uint64_t, SessionWords>;

@@ -19,7 +19,8 @@ constexpr const char* Columns =
     "probe_world_x_mm,probe_world_y_mm,probe_world_z_mm,"
     "proxy_world_x_mm,proxy_world_y_mm,proxy_world_z_mm,force_x_n,force_y_n,force_z_n,"
     "force_world_x_n,force_world_y_n,force_world_z_n,structure,depth_mm,energy_n_mm,"
-    "patch_mm,elastic_energy_n_mm,beyond_linear\n";
+    "patch_mm,elastic_energy_n_mm,beyond_linear,torque_x_n_mm,torque_y_n_mm,torque_z_n_mm,"
+    "probe_qx,probe_qy,probe_qz,probe_qw,proxy_qx,proxy_qy,proxy_qz,proxy_qw\n";
 
 void Append(std::string& text, double number)
 {
@@ -56,6 +57,14 @@ void Append(std::string& text, const TouchState& state, std::int64_t start)
   Append(text, state.PatchRadius);
   Append(text, state.ElasticEnergy);
   text += state.IsBeyondLinear ? ",1" : ",0";
+  Append(text, state.TorqueDevice);
+  for (const auto* orientation : {&state.ProbeOrientation, &state.ProxyOrientation})
+  {
+    for (const double number : *orientation)
+    {
+      Append(text, number);
+    }
+  }
   text += '\n';
 }
 } // namespace

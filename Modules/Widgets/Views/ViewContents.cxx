@@ -504,8 +504,8 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   const PlainVector3& proxy = isAtHand ? state.ProbeWorld : state.ProxyWorld;
   const bool isTold = !this->IsHandOnly && !this->IsForceHidden;
   const PlainVector3 force = isTold ? state.ForceWorld : PlainVector3();
-  this->ProbeShown->SetProbePosition(probe.X, probe.Y, probe.Z);
-  this->ProbeShown->SetProxyPosition(proxy.X, proxy.Y, proxy.Z);
+  this->ProbeShown->SetProbePose(probe, state.ProbeOrientation);
+  this->ProbeShown->SetProxyPose(proxy, state.ProxyOrientation);
   this->ProbeShown->SetForce(force.X, force.Y, force.Z);
   this->ProbeShown->SetInContact(state.Structure >= 0 && isTold);
   this->ProbeShown->SetDepth(state.Depth);

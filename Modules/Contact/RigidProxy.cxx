@@ -19,12 +19,28 @@ Twist RigidProxy::TowardsHand(const ToolPose& hand) const noexcept
           RotationBetween(this->Now.Orientation, hand.Orientation)};
 }
 
-void RigidProxy::KeepPushes() noexcept
+// As far as nothing can be, since a distance changes by no more than the way; where something is
+// near, short enough for planes to stand for surfaces.
+double RigidProxy::LongestWay(double nearest, const Twist& twist, double turned) const noexcept
 {
-  std::fill(this->Pushes.begin(), this->Pushes.end(), 0.0);
-  for (std::size_t n = 0; n < this->Limits.Size(); ++n)
+  const double longest = std::max(Stride, 0.9 * (nearest - Margin));
+  const double turn = twist.Turn.norm();
+  if (this->ContactCount() == 0 || turn * this->Extent <= 0.0)
   {
-    this->Pushes[this->Limits[n].Source] = this->Limits[n].Push;
+    return longest;
+  }
+  return std::min(longest, std::max(FastestTurn - turned, 0.0) / turn * this->WayOf(twist));
+}
+
+// What the last step left too deep is mended in full.
+void RigidProxy::KeepWithin(double longest, Twist& twist) noexcept
+{
+  const double way = this->WayOf(twist);
+  if (way > longest)
+  {
+    this->Limits.ForgetPushes();
+    twist = this->Limits.Solve({longest / way * twist.Shift, longest / way * twist.Turn},
+                               this->Gyration);
   }
 }
 
@@ -42,20 +58,20 @@ void RigidProxy::Move(const Twist& twist) noexcept
 ToolWrench RigidProxy::WrenchOn(const ToolPose& hand, double stiffness) const noexcept
 {
   const Twist back = this->TowardsHand(hand);
-  const double length = this->Tool.Gyration();
+  const double length = this->Gyration;
   return {-stiffness * back.Shift, -stiffness * length * length * back.Turn};
 }
 
 double RigidProxy::EnergyOf(const ToolPose& hand, double stiffness) const noexcept
 {
   const Twist back = this->TowardsHand(hand);
-  const double length = this->Tool.Gyration();
+  const double length = this->Gyration;
   return 0.5 * stiffness * (back.Shift.squaredNorm() + length * length * back.Turn.squaredNorm());
 }
 
 std::size_t RigidProxy::ContactCount() const noexcept
 {
-  return static_cast<std::size_t>(std::count_if(this->Pushes.begin(), this->Pushes.end(),
-                                                [](double push) { return push > 0.0; }));
+  return static_cast<std::size_t>(std::count_if(this->Solved.begin(), this->Solved.end(),
+                                                [](const auto& at) { return at.Push > 0.0; }));
 }
 } // namespace palpate

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "FieldSolid.h"
+#include "ToolGaps.h"
+#include "ToolShape.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace palpate
+{
+/// Gaps to a material of a field. Points of the tool's shell, lifted by Reach, tell by one look-up
+/// each where it is near. There the foot slides on the tool's ball to where the ball faces the wall
+/// (the field's level by value and gradient), as that of a sphere does.
+class FieldGaps final : public ToolGaps
+{
+public:
+  /// `tool` has a shell and balls.
+  FieldGaps(std::shared_ptr<const FieldSolid> solid, const ToolShape& tool,
+            const SurfaceFriction& friction);
+
+  double Gather(const ToolPose& pose, PoseConstraints& limits) noexcept override;
+  bool IsFreeAt(const ToolPose& pose) noexcept override;
+
+private:
+  // A point of the shell: on a ball about a point of the tool's axis.
+  struct Point
+  {
+    Vector3 Axis; // mm, in the tool's frame
+    Vector3 Outward;
+  };
+
+  double DistanceToBounds(const ToolPose& pose) const noexcept;
+  void PlaceAll(const ToolPose& pose, double lifted) noexcept;
+  void AddFoot(const ToolPose& pose, std::size_t number, PoseConstraints& limits) const noexcept;
+
+  std::shared_ptr<const FieldSolid> Solid;
+  SurfaceFriction Friction;
+  double Radius; // mm
+  double Extent; // mm
+  double Reach;  // mm
+  std::vector<Point> Points;
+  std::vector<Vector3> Places; // of the points, in the world
+  std::vector<unsigned char> Inside;
+};
+} // namespace palpate

@@ -1,0 +1,75 @@
+#pragma once
+
+#include "ProvenBall.h"
+#include "ToolGaps.h"
+#include "ToolSkeleton.h"
+#include "TouchableRadialModel.h"
+#include "TouchableSurfaceModel.h"
+#include "WedgePlaces.h"
+
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace palpate
+{
+/// Gaps to a radial or surface model. Each ball tracks up to three minima of the distance, its
+/// walls, by Newton's method; between small steps a wall is its tangent plane. A ball that is known
+/// to fit where it is has one wall. For others the whole surface is searched again where the ball
+/// has come so near that a wall which it does not know could be Skin deep in it: nothing else
+/// enters a ball, as the last search has proven.
+template <typename Surface>
+class OrganGaps final : public ToolGaps
+{
+public:
+  OrganGaps(std::shared_ptr<const Surface> surface, const ToolSkeleton& tool,
+            const SurfaceFriction& friction);
+
+  void BeginTick() noexcept override;
+  double Gather(const ToolPose& pose, PoseConstraints& limits) noexcept override;
+  bool IsFreeAt(const ToolPose& pose) noexcept override;
+
+private:
+  using ClosestPoint = typename Surface::ClosestPoint;
+  static constexpr std::size_t MostWalls = 3;
+
+  struct Part
+  {
+    ToolSkeleton::Ball Ball;
+    std::array<ClosestPoint, MostWalls> Walls{};
+    std::size_t WallCount = 0;
+    std::size_t NextWall = 0; // replaced if all are in use
+    Vector3 TrackedAt = Vector3::Zero();
+    ProvenBall Searched;
+    ClosestPoint Found{}; // by the last search
+    bool HasSearched = false;
+  };
+
+  // mm from the ball to the nearest wall of all, at least.
+  double UnknownAt(const Part& part, const Vector3& centerWorld) const noexcept
+  {
+    return part.Searched.DistanceAt(centerWorld) - part.Ball.Radius;
+  }
+  double GapAt(const Part& part, const ClosestPoint& wall,
+               const Vector3& centerWorld) const noexcept
+  {
+    return wall.SignedDistance + wall.Normal.dot(centerWorld - part.TrackedAt) - part.Ball.Radius;
+  }
+  bool HasMoved(const Part& part, const Vector3& centerWorld) const noexcept;
+  bool FitsWhereItIs(const Part& part) const noexcept;
+  bool LookAround(Part& part, const Vector3& centerWorld) noexcept;
+  void Search(Part& part, const Vector3& centerWorld) noexcept;
+  void Keep(Part& part, const ClosestPoint& found) noexcept;
+  void Track(Part& part, const Vector3& centerWorld) noexcept;
+
+  std::shared_ptr<const Surface> Touched;
+  SurfaceFriction Friction;
+  bool Fits = false;                         // balls, with Room around them, into every hollow
+  std::shared_ptr<const WedgePlaces> Places; // of a surface model: where they do
+  std::vector<Part> Parts;
+  std::size_t First = 0; // the part that may search first in this tick
+  int SearchesLeft = 0;  // in this tick
+  std::size_t FirstAsked = 0;
+};
+} // namespace palpate
