@@ -17,9 +17,11 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <optional>
 #include <ostream>
 #include <sstream>
+#include <utility>
 
 namespace palpate::cli
 {
@@ -89,6 +91,25 @@ PlaneCut ParseCut(const std::string& word)
   return {ParseVector("--cut", parts[0]), ParseVector("--cut", parts[1])};
 }
 
+BrushStroke ParseStroke(const std::string& option, const std::string& word)
+{
+  const std::vector<std::string> parts = SplitAt(':', word);
+  if (parts.size() < 2)
+  {
+    throw InputError(option + " " + word + " is not X,Y,Z[:X,Y,Z...]:RADIUS");
+  }
+  BrushStroke::Path path;
+  for (std::size_t n = 0; n + 1 < parts.size(); ++n)
+  {
+    path.push_back(ParseVector(option, parts[n]));
+  }
+  BrushStroke stroke;
+  stroke.PointsWorld = std::make_shared<const BrushStroke::Path>(std::move(path));
+  stroke.Radius = NumberIn(option, parts.back());
+  stroke.Erases = option == "--erase";
+  return stroke;
+}
+
 std::string TextOf(const CorrectedOrgan& organ)
 {
   TextTable table;
@@ -121,6 +142,7 @@ std::string CorrectCommand::Examples() const
   return "  palpate correct mask.nii.gz --pull 12,-30,41:4 --output corrected\n"
          "  palpate correct mask.nii.gz --pull 12,-30,41:4:6 --pull=-9,2,15:-2.5:5+11 --json\n"
          "  palpate correct mask.nii.gz --islands --fill --smooth 1 --output corrected\n"
+         "  palpate correct mask.nii.gz --paint 12,-30,41:12,-24,41:5 --erase=-9,2,15:3\n"
          "  palpate correct mask.nii.gz --steps corrected/corrections.json --output again\n"
          "  palpate correct model.json --pull 12,-30,41:13,-34,44 --output corrected";
 }
@@ -140,7 +162,7 @@ void CorrectCommand::DeclareOptions(CLI::App& app)
                      PullForm +
                      ", patient LPS. The width (mm, default 8) is the standard "
                      "deviation of the Gaussian along the surface; W1+W2: the mean of "
-                     "two. Former pulls' places stay. May be repeated, as the next four")
+                     "two. Former pulls' places stay. May be repeated, as the next seven")
       ->type_name("PULL")
       ->allow_extra_args(false);
   app.add_flag("--islands", "Removes all but the largest part of the mask");
@@ -154,12 +176,20 @@ void CorrectCommand::DeclareOptions(CLI::App& app)
                  "to: X,Y,Z:X,Y,Z")
       ->type_name("CUT")
       ->allow_extra_args(false);
+  app.add_option("--paint", this->Paints,
+                 "Adds the voxels whose centres are within a radius (mm) of a path: "
+                 "X,Y,Z[:X,Y,Z...]:RADIUS")
+      ->type_name("STROKE")
+      ->allow_extra_args(false);
+  app.add_option("--erase", this->Erasures, "Removes them: X,Y,Z[:X,Y,Z...]:RADIUS")
+      ->type_name("STROKE")
+      ->allow_extra_args(false);
   app.add_option("--steps", this->Lists, "Does the steps of a corrections.json, as if given here")
       ->check(FileType::Input("file", ".json"))
       ->type_name("FILE")
       ->allow_extra_args(false);
   app.add_option("--neighbours", this->Neighbors,
-                 "What a pull does at other structures: stop, overlap (in a layer of its own) or "
+                 "What is added does at other structures: stop, overlap (in a layer of its own) or "
                  "overwrite")
       ->check(CLI::IsMember({"stop", "overlap", "overwrite"}))
       ->capture_default_str();
@@ -202,6 +232,11 @@ std::vector<CorrectionStep> CorrectCommand::Steps() const
     {
       steps.emplace_back(ParseCut(next(this->Cuts)));
     }
+    else if (name == "--paint" || name == "--erase")
+    {
+      steps.emplace_back(
+          ParseStroke(name, next(name == "--paint" ? this->Paints : this->Erasures)));
+    }
     else if (name == "--steps")
     {
       const std::vector<CorrectionStep> read = ReadCorrections(next(this->Lists));
@@ -216,8 +251,9 @@ CorrectedOrgan CorrectCommand::Correct(Console& console)
   const std::vector<CorrectionStep> steps = this->Steps();
   if (steps.empty())
   {
-    throw InputError("there is nothing to correct; give --pull, --islands, --fill, --smooth, --cut "
-                     "or --steps");
+    throw InputError(
+        "there is nothing to correct; give --pull, --islands, --fill, --smooth, --cut, "
+        "--paint, --erase or --steps");
   }
   if (IsModelFile(this->Inputs.File))
   {

@@ -34,6 +34,8 @@ private:
   std::vector<std::string> Pulls;
   std::vector<std::string> Smooths;
   std::vector<std::string> Cuts;
+  std::vector<std::string> Paints;
+  std::vector<std::string> Erasures;
   std::vector<std::string> Lists;
   ImageOptions Images;
   std::filesystem::path Output;

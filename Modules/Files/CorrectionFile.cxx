@@ -4,6 +4,10 @@
 #include "JsonText.h"
 #include "WholeFile.h"
 
+#include <cmath>
+#include <memory>
+#include <utility>
+
 namespace palpate
 {
 namespace
@@ -12,8 +16,9 @@ constexpr const char* CorrectionFormat = "palpate-corrections";
 constexpr int CorrectionVersion = 1;
 constexpr const char* CorrectionKind = "a list of palpate correct";
 constexpr const char* CorrectionRemedy = "write one with palpate correct --output";
-constexpr std::uintmax_t MostCorrectionBytes = 1U << 20U;
+constexpr std::uintmax_t MostCorrectionBytes = 16U << 20U;
 constexpr std::size_t MostSteps = 1100;
+constexpr double LargestIndex = 1e6;
 
 struct StepJson
 {
@@ -46,6 +51,39 @@ struct StepJson
     return {
         {"do", "cut"}, {"point_mm", PointJson(cut.PointWorld)}, {"normal", PointJson(cut.Normal)}};
   }
+  nlohmann::ordered_json operator()(const BrushStroke& stroke) const
+  {
+    nlohmann::ordered_json path = nlohmann::ordered_json::array();
+    for (const Vector3& point : *stroke.PointsWorld)
+    {
+      path.insert(path.end(), {point.x(), point.y(), point.z()});
+    }
+    nlohmann::ordered_json json{
+        {"do", stroke.Erases ? "erase" : "paint"}, {"path_mm", path}, {"radius_mm", stroke.Radius}};
+    if (stroke.SliceNormal)
+    {
+      json["slice_normal"] = PointJson(*stroke.SliceNormal);
+    }
+    return json;
+  }
+  nlohmann::ordered_json operator()(const VoxelEdit& edit) const
+  {
+    nlohmann::ordered_json runs = nlohmann::ordered_json::array();
+    for (const IndexRun& run : *edit.Runs)
+    {
+      runs.insert(runs.end(), {run.First[0], run.First[1], run.First[2], run.Count});
+    }
+    return {{"do", edit.Erases ? "remove_voxels" : "add_voxels"}, {"runs", runs}};
+  }
+  nlohmann::ordered_json operator()(const SliceCopy& copy) const
+  {
+    return {{"do", "copy_slice"}, {"axis", copy.Axis}, {"slices", {copy.From, copy.To}}};
+  }
+  nlohmann::ordered_json operator()(const SliceFilling& filling) const
+  {
+    return {
+        {"do", "fill_between"}, {"axis", filling.Axis}, {"slices", {filling.First, filling.Last}}};
+  }
 };
 
 class StepReader
@@ -71,8 +109,21 @@ public:
     {
       return PlaneCut{this->Triple(json, "point_mm"), this->Triple(json, "normal")};
     }
+    if (kind == "paint" || kind == "erase")
+    {
+      return this->ReadStroke(json, kind == "erase");
+    }
+    if (kind == "add_voxels" || kind == "remove_voxels")
+    {
+      return this->ReadVoxels(json, kind == "remove_voxels");
+    }
+    if (kind == "copy_slice" || kind == "fill_between")
+    {
+      return this->ReadSlices(json, kind == "copy_slice");
+    }
     this->Numbers.Require(kind == "islands" || kind == "fill",
-                          "has a step that is no pull, islands, fill, smooth or cut");
+                          "has a step that is no pull, islands, fill, smooth, cut, paint, erase, "
+                          "add_voxels, remove_voxels, copy_slice or fill_between");
     return kind == "islands" ? CorrectionStep(IslandRemoval{}) : CorrectionStep(CavityFilling{});
   }
 
@@ -82,6 +133,55 @@ private:
     const std::vector<double> numbers = this->Numbers.Numbers(json, key);
     this->Numbers.Require(numbers.size() == 3, std::string("has a ") + key + " not of 3 numbers");
     return {numbers[0], numbers[1], numbers[2]};
+  }
+  BrushStroke ReadStroke(const nlohmann::json& json, bool erases) const
+  {
+    const std::vector<double> numbers = this->Numbers.Numbers(json, "path_mm");
+    this->Numbers.Require(!numbers.empty() && numbers.size() % 3 == 0 &&
+                              numbers.size() / 3 <= BrushStroke::MostPoints,
+                          "has a path_mm that is not of 1 to 10,000 triples");
+    BrushStroke::Path path;
+    for (std::size_t n = 0; n < numbers.size(); n += 3)
+    {
+      path.emplace_back(numbers[n], numbers[n + 1], numbers[n + 2]);
+    }
+    BrushStroke stroke;
+    stroke.PointsWorld = std::make_shared<const BrushStroke::Path>(std::move(path));
+    stroke.Radius = this->Numbers.Number(json, "radius_mm");
+    stroke.Erases = erases;
+    if (json.contains("slice_normal"))
+    {
+      stroke.SliceNormal = this->Triple(json, "slice_normal");
+    }
+    return stroke;
+  }
+  int Index(double number, const char* key) const
+  {
+    this->Numbers.Require(number >= 0.0 && number <= LargestIndex && number == std::floor(number),
+                          std::string("has a number in ") + key + " that is no index");
+    return static_cast<int>(number);
+  }
+  VoxelEdit ReadVoxels(const nlohmann::json& json, bool erases) const
+  {
+    const std::vector<double> numbers = this->Numbers.Numbers(json, "runs");
+    this->Numbers.Require(numbers.size() % 4 == 0, "has runs that are not of 4 numbers each");
+    std::vector<IndexRun> runs;
+    for (std::size_t n = 0; n < numbers.size(); n += 4)
+    {
+      const auto at = [&](std::size_t m) { return this->Index(numbers[n + m], "runs"); };
+      runs.push_back({{at(0), at(1), at(2)}, at(3)});
+    }
+    return {std::make_shared<const std::vector<IndexRun>>(std::move(runs)), erases};
+  }
+  CorrectionStep ReadSlices(const nlohmann::json& json, bool isCopy) const
+  {
+    const int axis = this->Index(this->Numbers.Number(json, "axis"), "axis");
+    const std::vector<double> numbers = this->Numbers.Numbers(json, "slices");
+    this->Numbers.Require(numbers.size() == 2, "has slices that are not two");
+    const int first = this->Index(numbers[0], "slices");
+    const int second = this->Index(numbers[1], "slices");
+    return isCopy ? CorrectionStep(SliceCopy{axis, first, second})
+                  : CorrectionStep(SliceFilling{axis, first, second});
   }
   SurfacePull ReadPull(const nlohmann::json& json) const
   {

@@ -81,6 +81,8 @@ public:
   void Do(const std::vector<CorrectionStep>& steps);
   const std::vector<CorrectionStep>& Steps() const { return this->List; }
   bool IsMask() const { return this->Mask.has_value(); }
+  /// The mask under correction; null for a model.
+  const CorrectedMask* Voxels() const { return this->Mask ? &*this->Mask : nullptr; }
 
   ///@{
   /// The surface that is pulled, and its triangles. Throws InputError for a mask that has none.

@@ -258,6 +258,7 @@ void MainWindow::MakePanels()
                               this->Drawing->TouchTool(), this->Correcting->Mode(),
                               this->Correcting->GripTool(), this->Matching->Mode(),
                               this->Matching->HoldTool()});
+  this->Touching->addActions(this->Brushing->Actions());
   // In the views only: elsewhere these keys end an input.
   for (const Qt::Key key : {Qt::Key_Return, Qt::Key_Enter})
   {
@@ -304,11 +305,10 @@ QDockWidget* MainWindow::MakeCorrection()
       this->Study, this->Shown, *this->Grid,
       [this] { return this->findChild<StructuresPanel*>()->SelectedIds(); },
       [this] { return this->Marks->Placer()->TouchedPoint().PointWorld; }, this);
-  QDockWidget* dock =
-      this->AddPanel("Correction", new CorrectionPanel(this->Study, *this->Correcting,
-                                                       this->Questions, this->Shown, this));
-  this->AddMode(this->Correcting->Mode(), dock);
-  return dock;
+  this->Brushing = new BrushLink(this->Study, this->Shown, *this->Grid, *this->Correcting, this);
+  auto* panel = new CorrectionPanel(this->Study, *this->Correcting, *this->Brushing,
+                                    this->Questions, this->Shown, this);
+  return this->AddMode(this->Correcting->Mode(), this->AddPanel("Correction", panel));
 }
 
 QDockWidget* MainWindow::AddMode(QAction* mode, QDockWidget* dock)

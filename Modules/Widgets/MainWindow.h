@@ -103,6 +103,7 @@ private:
   DrawingPanel* Drawn = nullptr;
   MatchingLink* Matching = nullptr;
   CorrectionLink* Correcting = nullptr;
+  BrushLink* Brushing = nullptr;
   TaskLink* Tasks = nullptr;
   QuietWindow Quiet{*this}; ///< while a task is open
   PointerModes Modes;

@@ -215,6 +215,15 @@ TEST_F(JsonOutput, CorrectIsDocumented)
   this->Run({"correct", "a.nii.gz", "--label", "1", "--pull", "9,0,0:2:4+8", "--pull",
              "-9,0,0:-11,0,0", "--islands", "--fill", "--smooth", "1", "--cut", "0,0,7:0,0,1",
              "--output", "corrected", "--json"});
+  WriteAll(this->Folder / "painted.json",
+           R"({"format": "palpate-corrections", "version": 1, "steps": [
+             {"do": "paint", "path_mm": [0, 0, 0, 3, 0, 0], "radius_mm": 2, "slice_normal": [0, 0, 1]},
+             {"do": "erase", "path_mm": [0, 0, 0], "radius_mm": 2},
+             {"do": "add_voxels", "runs": [1, 1, 1, 2]},
+             {"do": "remove_voxels", "runs": [1, 1, 1, 2]},
+             {"do": "copy_slice", "axis": 2, "slices": [9, 12]},
+             {"do": "fill_between", "axis": 2, "slices": [9, 12]}]})");
+  this->Run({"correct", "a.nii.gz", "--label", "1", "--steps", "painted.json", "--json"});
   this->Run({"correct", "ball.json", "--pull", "9,0,0:2", "--json"});
   this->ExpectDocumented("correct");
 }

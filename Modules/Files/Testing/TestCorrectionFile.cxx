@@ -15,6 +15,16 @@ namespace
 using test::TemporaryFolder;
 using Json = nlohmann::json;
 
+std::shared_ptr<const BrushStroke::Path> PathOf(BrushStroke::Path path)
+{
+  return std::make_shared<const BrushStroke::Path>(std::move(path));
+}
+
+std::shared_ptr<const std::vector<IndexRun>> RunsFor(std::vector<IndexRun> runs)
+{
+  return std::make_shared<const std::vector<IndexRun>>(std::move(runs));
+}
+
 std::vector<CorrectionStep> AllSteps()
 {
   return {SurfacePull{Vector3(0.1, 2.0, -3.0), 4.5, {}, 6.0, 0.0},
@@ -22,7 +32,14 @@ std::vector<CorrectionStep> AllSteps()
           IslandRemoval{},
           CavityFilling{},
           SurfaceSmoothing{1.25},
-          PlaneCut{Vector3(7.0, 8.0, 9.0), Vector3(0.0, -1.0, 0.5)}};
+          PlaneCut{Vector3(7.0, 8.0, 9.0), Vector3(0.0, -1.0, 0.5)},
+          BrushStroke{PathOf({Vector3(0.1, 2.0, 1.0 / 3.0), Vector3(4.0, 5.0, 6.0)}), 2.5,
+                      Vector3(0.0, 0.6, 0.8), false},
+          BrushStroke{PathOf({Vector3(0.1, 2.0, 1.0 / 3.0)}), 3.0, {}, true},
+          VoxelEdit{RunsFor({{{1, 2, 3}, 4}, {{5, 6, 7}, 8}}), false},
+          VoxelEdit{RunsFor({{{0, 0, 0}, 1}}), true},
+          SliceCopy{1, 12, 11},
+          SliceFilling{2, 3, 9}};
 }
 
 class CorrectionFile : public testing::Test
@@ -52,7 +69,8 @@ TEST_F(CorrectionFile, ReturnsToTheBit)
   WriteCorrections(AllSteps(), this->File);
   const std::vector<CorrectionStep> read = ReadCorrections(this->File);
   EXPECT_EQ(CorrectionJson(read), CorrectionJson(AllSteps()));
-  ASSERT_EQ(read.size(), 6U);
+  ASSERT_EQ(read.size(), 12U);
+  EXPECT_EQ(read, AllSteps());
   const auto& pull = std::get<SurfacePull>(read[1]);
   EXPECT_EQ(pull.TargetWorld, Vector3(2.0, 2.0, 1.0 / 3.0));
   EXPECT_EQ(pull.SecondWidth, 11.0);
@@ -70,7 +88,7 @@ TEST_F(CorrectionFile, RefusesWhatIsNone)
   EXPECT_TRUE(Says(this->Refusal([](Json& json) { json["version"] = 2; }), "another version"));
   EXPECT_TRUE(Says(this->Refusal([](Json& json) { json.erase("steps"); }), "no list \"steps\""));
   EXPECT_TRUE(
-      Says(this->Refusal([](Json& json) { json["steps"][2]["do"] = "paint"; }), "is no pull"));
+      Says(this->Refusal([](Json& json) { json["steps"][2]["do"] = "dab"; }), "is no pull"));
   EXPECT_TRUE(Says(this->Refusal([](Json& json) { json["steps"][2] = 1; }), "without \"do\""));
   EXPECT_TRUE(
       Says(this->Refusal([](Json& json) { json["steps"][0].erase("width_mm"); }), "width_mm"));
@@ -83,6 +101,20 @@ TEST_F(CorrectionFile, RefusesWhatIsNone)
                    "target_mm not of 3"));
   EXPECT_TRUE(
       Says(this->Refusal([](Json& json) { json["steps"][5]["normal"][1] = "x"; }), "not a number"));
+  const auto says =
+      [this](std::size_t step, const char* key, const Json& value, const std::string& part)
+  { return Says(this->Refusal([&](Json& json) { json["steps"][step][key] = value; }), part); };
+  EXPECT_TRUE(says(6, "path_mm", Json::array({1, 2}), "path_mm that is not of 1"));
+  EXPECT_TRUE(says(6, "path_mm", Json::array(), "path_mm that is not of 1"));
+  EXPECT_TRUE(says(6, "path_mm", std::vector<int>(30003, 1), "path_mm that is not of 1"));
+  EXPECT_TRUE(says(6, "radius_mm", "wide", "no number \"radius_mm\""));
+  EXPECT_TRUE(says(6, "slice_normal", Json::array({1, 2}), "slice_normal not of 3"));
+  EXPECT_TRUE(says(8, "runs", Json::array({1, 2, 3}), "runs that are not of 4"));
+  EXPECT_TRUE(says(8, "runs", Json::array({1, 2, 3, -1}), "in runs that is no index"));
+  EXPECT_TRUE(says(8, "runs", Json::array({1, 2, 3.5, 1}), "in runs that is no index"));
+  EXPECT_TRUE(says(8, "runs", Json::array({1, 2, 3, 5e9}), "in runs that is no index"));
+  EXPECT_TRUE(says(10, "axis", -1, "in axis that is no index"));
+  EXPECT_TRUE(says(10, "slices", Json::array({1}), "slices that are not two"));
   EXPECT_TRUE(Says(this->Refusal(
                        [](Json& json)
                        {

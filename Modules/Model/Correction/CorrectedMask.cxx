@@ -50,14 +50,40 @@ void ClearBeyond(const std::array<int, 3>& imageSize, VoxelMask& mask)
     }
   }
 }
+
+// A mask that nobody else has, with a rim around voxels that are to change; a copy if it has not.
+VoxelMask& OwnWithRoom(const std::vector<IndexRun>& flips, std::shared_ptr<VoxelMask>& mask)
+{
+  std::array<int, 3> first = mask->StartIndex;
+  std::array<int, 3> last{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    last[axis] = first[axis] + mask->Size[axis] - 1;
+  }
+  for (const IndexRun& run : flips)
+  {
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      first[axis] = std::min(first[axis], run.First[axis] - 1);
+      last[axis] = std::max(last[axis], run.First[axis] + (axis == 0 ? run.Count : 1));
+    }
+  }
+  const bool isWide = first == mask->StartIndex && last[0] - first[0] + 1 == mask->Size[0] &&
+                      last[1] - first[1] + 1 == mask->Size[1] &&
+                      last[2] - first[2] + 1 == mask->Size[2];
+  if (!isWide || mask.use_count() > 1)
+  {
+    mask = std::make_shared<VoxelMask>(isWide ? *mask : InBox(*mask, first, last));
+  }
+  return *mask;
+}
 } // namespace
 
 CorrectedMask::CorrectedMask(VoxelMask mask, const IndexToWorld& toWorld,
                              const std::array<int, 3>& imageSize, MaskCorrection::Barrier barrier)
-    : ToWorld(toWorld), ImageSize(imageSize), Closed(std::move(barrier))
+    : Image{toWorld, imageSize, std::move(barrier)}
 {
-  this->Stages.push_back(
-      {std::make_shared<const VoxelMask>(std::move(mask)), nullptr, {}, nullptr});
+  this->Stages.emplace_back().Start = std::make_shared<VoxelMask>(std::move(mask));
 }
 
 Status CorrectedMask::Prepare()
@@ -72,7 +98,8 @@ Status CorrectedMask::Prepare()
     return Status::Success();
   }
   MaskCorrection surface;
-  Status status = MaskCorrection::Make(*stage.Start, this->ToWorld, this->ImageSize, surface);
+  Status status =
+      MaskCorrection::Make(*stage.Start, this->Image.ToWorld, this->Image.ImageSize, surface);
   if (status.IsOk())
   {
     stage.Pulls = SurfaceCorrection(surface.Surface().Points, surface.Normals(),
@@ -96,7 +123,9 @@ Status CorrectedMask::Surface(const MaskCorrection*& surface, const SurfaceCorre
 Status CorrectedMask::Apply(const CorrectionStep& step)
 {
   const SurfacePull* const pull = std::get_if<SurfacePull>(&step);
-  Status status = pull != nullptr ? this->Prepare() : this->Edit(step);
+  Status status = pull != nullptr ? this->Prepare()
+                  : IsFlip(step)  ? this->Paint(step)
+                                  : this->Edit(step);
   if (pull != nullptr && status.IsOk())
   {
     status = this->Stages.back().Pulls.Pull(*pull);
@@ -134,7 +163,7 @@ Status CorrectedMask::Edit(const CorrectionStep& step)
     {
       return status;
     }
-    ClearBeyond(this->ImageSize, mask);
+    ClearBeyond(this->Image.ImageSize, mask);
   }
   else
   {
@@ -143,15 +172,79 @@ Status CorrectedMask::Edit(const CorrectionStep& step)
     {
       return Status::Failure("is cut at a plane whose point or normal is not finite, or zero");
     }
-    CutMask(cut.PointWorld, cut.Normal, this->ToWorld, mask);
+    CutMask(cut.PointWorld, cut.Normal, this->Image.ToWorld, mask);
   }
   if (mask.Count() == 0)
   {
     return Status::Failure("would have no voxels left");
   }
-  this->Stages.push_back(
-      {std::make_shared<const VoxelMask>(std::move(mask)), nullptr, {}, nullptr});
+  this->Stages.emplace_back().Start = std::make_shared<VoxelMask>(std::move(mask));
   return Status::Success();
+}
+
+Status CorrectedMask::Paint(const CorrectionStep& step)
+{
+  if (this->Stages.empty())
+  {
+    return Status::Failure("has no voxels");
+  }
+  const bool begins =
+      this->Stages.back().Strokes.empty() || !this->Stages.back().Pulls.Pulls().empty();
+  if (begins ? this->Stages.size() > MostEdits : this->Stages.back().Strokes.size() >= MostStrokes)
+  {
+    return Status::Failure("has more than 1,000 strokes after each other, or 100 edits");
+  }
+  const VoxelMask& before = this->Mask();
+  std::vector<IndexRun> flips;
+  if (Status status = FindFlips(step, this->Image, before, flips); !status.IsOk())
+  {
+    return status;
+  }
+  long long count = begins ? before.Count() : this->Stages.back().Voxels;
+  for (const IndexRun& run : flips)
+  {
+    count += HasVoxel(before, run.First) ? -run.Count : run.Count;
+  }
+  if (count == 0)
+  {
+    return Status::Failure("would have no voxels left");
+  }
+  const Stroke stroke{nullptr, before.StartIndex, before.Size};
+  if (begins)
+  {
+    auto copy = std::make_shared<VoxelMask>(before);
+    this->Stages.emplace_back().Start = std::move(copy);
+  }
+  Stage& stage = this->Stages.back();
+  Flip(flips, OwnWithRoom(flips, stage.Start));
+  stage.Voxels = count;
+  stage.Surface.reset();
+  stage.Strokes.push_back(stroke);
+  stage.Strokes.back().Flips = std::make_shared<const std::vector<IndexRun>>(std::move(flips));
+  return Status::Success();
+}
+
+void CorrectedMask::UndoStroke()
+{
+  Stage& stage = this->Stages.back();
+  const Stroke stroke = stage.Strokes.back();
+  stage.Strokes.pop_back();
+  if (stage.Strokes.empty())
+  {
+    this->Stages.pop_back();
+    return;
+  }
+  stage.Voxels += Flip(*stroke.Flips, OwnWithRoom({}, stage.Start));
+  stage.Surface.reset();
+  if (stage.Start->Size != stroke.Size)
+  {
+    std::array<int, 3> last{};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      last[axis] = stroke.StartIndex[axis] + stroke.Size[axis] - 1;
+    }
+    stage.Start = std::make_shared<VoxelMask>(InBox(*stage.Start, stroke.StartIndex, last));
+  }
 }
 
 bool CorrectedMask::Undo()
@@ -164,6 +257,10 @@ bool CorrectedMask::Undo()
   {
     this->Stages.back().Pulls.Undo();
     this->Stages.back().Result.reset();
+  }
+  else if (IsFlip(this->List.back()))
+  {
+    this->UndoStroke();
   }
   else
   {
@@ -183,7 +280,7 @@ const VoxelMask& CorrectedMask::Mask()
   if (!stage.Result)
   {
     stage.Result = std::make_shared<const VoxelMask>(
-        stage.Surface->Moved(stage.Pulls.Displacements(), this->Closed));
+        stage.Surface->Moved(stage.Pulls.Displacements(), this->Image.Closed));
   }
   return *stage.Result;
 }

@@ -78,25 +78,30 @@ void BlurField(double deviation, const VoxelMask& grid, std::vector<float>& fiel
 VoxelMask InBox(const VoxelMask& mask, const std::array<int, 3>& first,
                 const std::array<int, 3>& last)
 {
-  VoxelMask wide;
-  wide.StartIndex = first;
-  wide.Spacing = mask.Spacing;
-  std::array<int, 3> shift{};
+  VoxelMask boxed;
+  boxed.StartIndex = first;
+  boxed.Spacing = mask.Spacing;
+  std::array<int, 3> from{}; // of the mask's box
+  std::array<int, 3> count{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    wide.Size[axis] = last[axis] - first[axis] + 1;
-    shift[axis] = mask.StartIndex[axis] - first[axis];
+    boxed.Size[axis] = last[axis] - first[axis] + 1;
+    from[axis] = std::max(first[axis] - mask.StartIndex[axis], 0);
+    const int end = std::min(last[axis] + 1 - mask.StartIndex[axis], mask.Size[axis]);
+    count[axis] = std::max(end - from[axis], 0);
   }
-  wide.Inside.assign(wide.Offset(0, 0, wide.Size[2]), 0);
-  for (int k = 0; k < mask.Size[2]; ++k)
+  boxed.Inside.assign(boxed.Offset(0, 0, boxed.Size[2]), 0);
+  const auto to = [&](std::size_t axis)
+  { return from[axis] + mask.StartIndex[axis] - first[axis]; };
+  for (int k = 0; k < count[2] && count[0] > 0; ++k)
   {
-    for (int j = 0; j < mask.Size[1]; ++j)
+    for (int j = 0; j < count[1]; ++j)
     {
-      std::copy_n(&mask.Inside[mask.Offset(0, j, k)], mask.Size[0],
-                  &wide.Inside[wide.Offset(shift[0], j + shift[1], k + shift[2])]);
+      std::copy_n(&mask.Inside[mask.Offset(from[0], from[1] + j, from[2] + k)], count[0],
+                  &boxed.Inside[boxed.Offset(to(0), to(1) + j, to(2) + k)]);
     }
   }
-  return wide;
+  return boxed;
 }
 
 bool HasVoxel(const VoxelMask& mask, const std::array<int, 3>& index) noexcept

@@ -7,7 +7,7 @@
 
 namespace palpate
 {
-/// The same mask in a box from and to these image indices (inclusive), which enclose its own.
+/// The same mask in a box from and to these image indices (inclusive); what lies outside is lost.
 VoxelMask InBox(const VoxelMask& mask, const std::array<int, 3>& first,
                 const std::array<int, 3>& last);
 

@@ -45,6 +45,8 @@ public:
   const std::string& Problem() const { return this->Message; }
   int StructureId() const { return this->Given.StructureId; }
   bool IsMask() const { return this->Shape && this->Shape->IsMask(); }
+  /// The mask as far as steps are done, null until then and for a model.
+  const CorrectedMask* Voxels() const { return this->Shape ? this->Shape->Voxels() : nullptr; }
   /// Null until it is ready the first time.
   const SurfaceCorrection* Pulls() { return this->Shape ? &this->Shape->Pulls() : nullptr; }
   /// Null until it is measured.

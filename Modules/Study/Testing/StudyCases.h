@@ -256,9 +256,18 @@ inline StudyCorrection RandomCorrection(Random& random)
     {
       pull.Displacement = RandomNumber(random, -9.0, 9.0);
     }
-    const std::array<CorrectionStep, 5> steps{{pull, IslandRemoval{}, CavityFilling{},
-                                               SurfaceSmoothing{RandomNumber(random, 0.5, 3.0)},
-                                               PlaneCut{RandomPlace(random), RandomPlace(random)}}};
+    BrushStroke stroke;
+    stroke.PointsWorld = std::make_shared<const BrushStroke::Path>(
+        BrushStroke::Path{RandomPlace(random), RandomPlace(random)});
+    stroke.Erases = RandomChoice(random);
+    stroke.SliceNormal = RandomChoice(random) ? std::nullopt : std::optional(RandomPlace(random));
+    const IndexRun run{{RandomWhole(random, 0, 9), 2, 3}, 4};
+    const std::array<CorrectionStep, 9> steps{
+        {pull, IslandRemoval{}, CavityFilling{}, SurfaceSmoothing{RandomNumber(random, 0.5, 3.0)},
+         PlaneCut{RandomPlace(random), RandomPlace(random)}, stroke,
+         VoxelEdit{std::make_shared<const std::vector<IndexRun>>(2, run), RandomChoice(random)},
+         SliceCopy{RandomWhole(random, 0, 2), 3, 4},
+         SliceFilling{RandomWhole(random, 0, 2), 3, 9}}};
     correction.Steps.push_back(steps[random() % steps.size()]);
   }
   return correction;

@@ -34,6 +34,19 @@ double SizeAt(const SurfaceCorrection& pulls, std::size_t point)
 }
 } // namespace
 
+std::vector<Vector3> CircleAround(const Vector3& center, const Vector3& right, const Vector3& up,
+                                  double radius)
+{
+  constexpr int Corners = 48;
+  std::vector<Vector3> circle;
+  for (int n = 0; n < Corners; ++n)
+  {
+    const double angle = 2.0 * M_PI * n / Corners;
+    circle.push_back(center + radius * (std::cos(angle) * right + std::sin(angle) * up));
+  }
+  return circle;
+}
+
 CorrectionLink::CorrectionLink(StudyController& study, ViewContents& contents, ViewGrid& views,
                                std::function<std::vector<int>()> selected,
                                std::function<Vector3()> contact, QObject* parent)
@@ -60,7 +73,14 @@ CorrectionLink::CorrectionLink(StudyController& study, ViewContents& contents, V
     connect(pane, &ViewPane::StrokeEnded, this, &CorrectionLink::EndPull);
     connect(pane, &ViewPane::WheelTurned, this,
             [this, pane](double, double, double notches) { this->TurnWheel(pane, notches); });
-    connect(pane, &ViewPane::PointerLeft, this, [this] { this->HideRing(); });
+    connect(pane, &ViewPane::PointerLeft, this,
+            [this]
+            {
+              if (this->ArePulls)
+              {
+                this->HideRing();
+              }
+            });
   }
 }
 
@@ -75,7 +95,7 @@ void CorrectionLink::FollowSlice(SlicePane* slice)
   connect(slice, &ViewPane::PointerMoved, this,
           [this, point](double x, double y)
           {
-            if (!this->Held)
+            if (!this->Held && this->ArePulls)
             {
               point(x, y);
             }
@@ -83,7 +103,7 @@ void CorrectionLink::FollowSlice(SlicePane* slice)
   connect(slice, &ViewPane::StrokeBegun, this,
           [this, slice, point](double x, double y)
           {
-            const auto pointed = point(x, y);
+            const auto pointed = this->ArePulls ? point(x, y) : std::nullopt;
             if (pointed && this->Hold(*pointed, slice->PointAt(x, y), slice))
             {
               slice->Accept();
@@ -120,7 +140,7 @@ void CorrectionLink::FollowSpace()
   connect(space, &ViewPane::PointerMoved, this,
           [this, point](double x, double y)
           {
-            if (!this->Held)
+            if (!this->Held && this->ArePulls)
             {
               point(x, y);
             }
@@ -128,7 +148,7 @@ void CorrectionLink::FollowSpace()
   connect(space, &ViewPane::StrokeBegun, this,
           [this, space, point](double x, double y)
           {
-            const auto pointed = point(x, y);
+            const auto pointed = this->ArePulls ? point(x, y) : std::nullopt;
             if (pointed && this->Hold(*pointed, Vector3::Zero(), space))
             {
               this->Held->StartHeight = y;
@@ -195,7 +215,7 @@ void CorrectionLink::ShowSurface()
 std::optional<std::size_t> CorrectionLink::PointInSlice(const SlicePane& slice, double x, double y)
 {
   const SurfaceCorrection* pulls = this->Study.Current().Corrected().Pulls();
-  if (!this->Pulling->isChecked() || pulls == nullptr || pulls->Points().empty())
+  if (!this->IsPulling() || pulls == nullptr || pulls->Points().empty())
   {
     return std::nullopt;
   }
@@ -208,7 +228,7 @@ std::optional<std::size_t> CorrectionLink::PointInSlice(const SlicePane& slice, 
 std::optional<std::size_t> CorrectionLink::PointInSpace(double x, double y, Vector3& pickedWorld)
 {
   const SurfaceCorrection* pulls = this->Study.Current().Corrected().Pulls();
-  const bool isOn = this->Pulling->isChecked() && pulls != nullptr && !pulls->Points().empty();
+  const bool isOn = this->IsPulling() && pulls != nullptr && !pulls->Points().empty();
   if (!isOn || this->Views.Space()->View()->PickObject(x, y, pickedWorld.data()) !=
                    this->Contents.Correction().Display())
   {
@@ -333,7 +353,19 @@ void CorrectionLink::Do(const CorrectionStep& step)
     return;
   }
   next.Correction.Steps.push_back(step);
+  if (NumbersIn(next.Correction.Steps) > StudyCorrection::MostNumbers)
+  {
+    this->Study.Report("The strokes so far are too many: keep the result and go on from it.");
+    return;
+  }
   this->Study.Change(QString::fromStdString(NameOf(step)), next);
+}
+
+void CorrectionLink::LetPull(bool arePulls)
+{
+  this->GiveUp();
+  this->HideRing();
+  this->ArePulls = arePulls;
 }
 
 void CorrectionLink::SetWidth(const PullWidth& width)
@@ -354,7 +386,7 @@ void CorrectionLink::SetWidth(const PullWidth& width)
 // Elsewhere the wheel is the slices' and the camera's.
 void CorrectionLink::TurnWheel(ViewPane* pane, double notches)
 {
-  if (this->Pulling->isChecked() && (this->Held || this->Pointed))
+  if (this->IsPulling() && (this->Held || this->Pointed))
   {
     pane->Accept();
     this->SetWidth({this->Next.Width * std::pow(WidthPerNotch, notches), this->Next.HasTwo});
@@ -365,7 +397,6 @@ void CorrectionLink::TurnWheel(ViewPane* pane, double notches)
 void CorrectionLink::ShowRing(std::optional<std::size_t> point, const Vector3& right,
                               const Vector3& up)
 {
-  constexpr int Corners = 48;
   if (!this->Held)
   {
     this->Pointed = point;
@@ -379,12 +410,7 @@ void CorrectionLink::ShowRing(std::optional<std::size_t> point, const Vector3& r
   if (this->Held || isThere)
   {
     const Vector3 center = this->Held ? this->Held->Place() : pulls->PointNow(*point);
-    for (int n = 0; n < Corners; ++n)
-    {
-      const double angle = 2.0 * M_PI * n / Corners;
-      ring.push_back(center + this->Next.Width * (std::cos(angle) * this->RingRight +
-                                                  std::sin(angle) * this->RingUp));
-    }
+    ring = CircleAround(center, this->RingRight, this->RingUp, this->Next.Width);
   }
   this->Contents.ShowRing(ring, QString("%1 mm").arg(this->Next.Width, 0, 'f', 1).toStdString());
 }
@@ -397,7 +423,7 @@ void CorrectionLink::FollowHand()
   const bool isPressed =
       this->Study.IsTouching() && (reading.Newest.Sample.Buttons & GripButton) != 0;
   const bool isChanged = isPressed != std::exchange(this->WasPressed, isPressed);
-  const bool isOn = this->Pulling->isChecked();
+  const bool isOn = this->IsPulling();
   if (isChanged && isOn && isPressed == !this->IsInHand())
   {
     this->Gripping->trigger();
@@ -410,6 +436,10 @@ void CorrectionLink::FollowHand()
 
 void CorrectionLink::GripWhereTouched()
 {
+  if (!this->ArePulls)
+  {
+    return;
+  }
   if (this->IsInHand())
   {
     this->EndPull();

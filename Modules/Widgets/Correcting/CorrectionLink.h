@@ -14,6 +14,10 @@
 
 namespace palpate
 {
+/// A closed line around a place, in a plane of two unit vectors; mm.
+std::vector<Vector3> CircleAround(const Vector3& center, const Vector3& right, const Vector3& up,
+                                  double radius);
+
 /// The mode in which a drag at the surface of a structure pulls or pushes it, in slices and in 3-D,
 /// and a button of the device at the place that its tool touches. The study moves the surface; the
 /// views show it, and a ring as wide as the next pull.
@@ -33,6 +37,10 @@ public:
   QAction* Mode() const { return this->Pulling; }
   /// Grips the surface where the tool touches it, and lets it go again.
   QAction* GripTool() const { return this->Gripping; }
+  /// Where the tool touches, world mm.
+  Vector3 TouchedPlace() const { return this->Contact(); }
+  /// Whether drags and the grip pull while the mode is on; otherwise they are another tool's.
+  void LetPull(bool arePulls);
   const PullWidth& Width() const { return this->Next; }
   void SetWidth(const PullWidth& width);
   /// Adds a step.
@@ -81,6 +89,7 @@ private:
   void TurnWheel(ViewPane* pane, double notches);
   void ShowRing(std::optional<std::size_t> point, const Vector3& right, const Vector3& up);
   void HideRing() { this->ShowRing(std::nullopt, this->RingRight, this->RingUp); }
+  bool IsPulling() const { return this->Pulling->isChecked() && this->ArePulls; }
   bool IsInHand() const { return this->Held && this->Held->Pane == nullptr; }
   void FollowHand();
   void GripWhereTouched();
@@ -98,5 +107,6 @@ private:
   Vector3 RingRight = Vector3::UnitX();
   Vector3 RingUp = Vector3::UnitY();
   bool WasPressed = false; ///< the device's button
+  bool ArePulls = true;
 };
 } // namespace palpate

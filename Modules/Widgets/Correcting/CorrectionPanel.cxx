@@ -60,21 +60,25 @@ std::pair<CorrectedOrgan, CorrectionInputs> CorrectedOf(const SceneStructure& st
 }
 } // namespace
 
-CorrectionPanel::CorrectionPanel(StudyController& study, CorrectionLink& link,
+CorrectionPanel::CorrectionPanel(StudyController& study, CorrectionLink& link, BrushLink& brush,
                                  const FileQuestions& questions, const ViewContents& contents,
                                  QWidget* parent)
-    : QWidget(parent), Study(study), Link(link), Questions(questions), Contents(contents),
-      Structure(new QComboBox(this)), Width(new QDoubleSpinBox(this)),
-      TwoWidths(new QCheckBox("Two widths", this)), Neighbors(new QComboBox(this)),
+    : QWidget(parent), Study(study), Link(link), Brush(brush), Questions(questions),
+      Contents(contents), Structure(new QComboBox(this)), Tool(new QComboBox(this)),
+      Width(new QDoubleSpinBox(this)), TwoWidths(new QCheckBox("Two widths", this)),
+      Edges(new QCheckBox("Keep to edges", this)), Neighbors(new QComboBox(this)),
       Back(this->MakeButton("Take back", "correct-back",
                             "Takes the last step back, to the very first one",
                             [this] { this->TakeLastBack(); })),
-      Cut(new QPushButton("Cut", this)), Keeping(new QPushButton("Keep...", this)),
+      Cut(new QPushButton("Cut", this)), Slices(new QPushButton("Slices", this)),
+      Keeping(new QPushButton("Keep...", this)),
       Line(new SentenceLabel("correct-line", LongestSentence, this)),
       KeptLine(MakePlainLabel("correct-kept", this)),
       Job(new PanelJob(study, this->Keeping, this->KeptLine, this))
 {
   this->MakeChoices();
+  this->MakeTools();
+  this->MakeNeighbors();
   this->MakeCuts();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(4, 2, 4, 2);
@@ -89,6 +93,8 @@ CorrectionPanel::CorrectionPanel(StudyController& study, CorrectionLink& link,
   this->Job->End({});
   connect(&study, &StudyController::StateChanged, this, &CorrectionPanel::ShowState);
   connect(&link, &CorrectionLink::WidthChanged, this, &CorrectionPanel::ShowWidth);
+  connect(&brush, &BrushLink::Changed, this, &CorrectionPanel::ShowWidth);
+  connect(&brush, &BrushLink::Changed, this, &CorrectionPanel::ShowState);
   this->ShowWidth();
   this->ShowState();
 }
@@ -113,15 +119,21 @@ void CorrectionPanel::MakeChoices()
   connect(this->Structure, QOverload<int>::of(&QComboBox::activated), this,
           [this](int row) { this->Link.Choose(this->Ids.at(static_cast<std::size_t>(row))); });
   this->Width->setObjectName("correct-width");
-  this->Width->setRange(PullWidth::Least, PullWidth::Largest);
   this->Width->setDecimals(1);
-  this->Width->setPrefix("Width ");
   this->Width->setSuffix(" mm");
-  this->Width->setToolTip("How far along the surface a pull reaches (standard deviation); also by "
-                          "the wheel over the surface, where a ring shows it");
+  this->Width->setToolTip("How far along the surface a pull reaches (standard deviation), or the "
+                          "brush's radius; also by the wheel, where a ring shows it");
   connect(this->Width, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          [this](double width) {
-            this->Link.SetWidth({width, this->Link.Width().HasTwo});
+          [this](double width)
+          {
+            if (this->IsPulling())
+            {
+              this->Link.SetWidth({width, this->Link.Width().HasTwo});
+            }
+            else
+            {
+              this->Brush.SetRadius(width);
+            }
           });
   this->TwoWidths->setObjectName("correct-two");
   this->TwoWidths->setToolTip(
@@ -131,6 +143,34 @@ void CorrectionPanel::MakeChoices()
           [this](bool isOn) {
             this->Link.SetWidth({this->Link.Width().Width, isOn});
           });
+}
+
+void CorrectionPanel::MakeTools()
+{
+  this->Tool->setObjectName("correct-tool");
+  this->Tool->setAccessibleName("What a drag does");
+  this->Tool->addItems({"Pull", "Paint", "Erase"});
+  this->Tool->setToolTip(
+      "A drag pulls the surface, or paints (B) or erases (Shift+B) with a brush: "
+      "a disc in slices, a ball at the surface in 3-D. Ctrl does the other of "
+      "the two; Shift and the wheel scroll");
+  connect(this->Tool, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int row) { this->Brush.SetTool(static_cast<CorrectionTool>(row)); });
+  this->Edges->setObjectName("correct-edges");
+  this->Edges->setToolTip("The brush takes only what is joined to the stroke's start and has "
+                          "values of the volume like those there");
+  connect(this->Edges, &QCheckBox::toggled, this,
+          [this](bool isOn) { this->Brush.SetKeepsToEdges(isOn); });
+  this->Slices->setObjectName("correct-slices");
+  this->Slices->setToolTip("Copies the outline to the slice before or after, or fills between the "
+                           "two slices that were painted last");
+  auto* menu = new QMenu(this->Slices);
+  menu->addActions(this->Brush.SliceActions());
+  this->Slices->setMenu(menu);
+}
+
+void CorrectionPanel::MakeNeighbors()
+{
   this->Neighbors->setObjectName("correct-neighbors");
   this->Neighbors->addItems({"Stop at others", "Overlap others", "Overwrite others"});
   this->Neighbors->setAccessibleName("What a pull does at another structure");
@@ -172,7 +212,7 @@ QWidget* CorrectionPanel::MakeButtons()
                  this->MakeButton("Smooth", "correct-smooth",
                                   "Smooths the mask's surface by 1 mm; its volume stays",
                                   [this] { this->Link.Do(SurfaceSmoothing{SmoothedBy}); }),
-                 this->Cut};
+                 this->Cut, this->Slices};
   this->Keeping->setObjectName("correct-keep");
   this->Keeping->setToolTip("Writes the corrected mask or model to a folder, with the steps, and "
                             "makes it a structure of that name; the source stays as it is");
@@ -183,9 +223,10 @@ QWidget* CorrectionPanel::MakeButtons()
   grid->addWidget(mode, 0, 0);
   grid->addWidget(this->Structure, 0, 1);
   grid->addWidget(this->Neighbors, 0, 2);
-  grid->addWidget(this->Width, 1, 0);
-  grid->addWidget(this->TwoWidths, 1, 1);
-  grid->addWidget(this->Back, 1, 2);
+  grid->addWidget(this->Tool, 1, 0);
+  grid->addWidget(this->Width, 1, 1);
+  grid->addWidget(this->TwoWidths, 1, 2);
+  grid->addWidget(this->Edges, 1, 2);
   auto* edits = new QHBoxLayout;
   edits->setSpacing(2);
   for (QPushButton* edit : this->Edits)
@@ -197,6 +238,7 @@ QWidget* CorrectionPanel::MakeButtons()
                                    "Gives up the correction; that can be undone",
                                    [this] { this->Link.Choose(0); }),
                   3, 0);
+  grid->addWidget(this->Back, 3, 1);
   grid->addWidget(this->Keeping, 3, 2);
   for (int column = 0; column < 3; ++column)
   {
@@ -255,7 +297,14 @@ void CorrectionPanel::ShowStructures()
 void CorrectionPanel::ShowWidth()
 {
   const QSignalBlocker quiet(this->Width);
-  this->Width->setValue(this->Link.Width().Width);
+  const bool pulls = this->IsPulling();
+  this->Tool->setCurrentIndex(static_cast<int>(this->Brush.Tool()));
+  this->Width->setPrefix(pulls ? "Width " : "Radius ");
+  this->Width->setRange(pulls ? PullWidth::Least : BrushLink::LeastRadius,
+                        pulls ? PullWidth::Largest : BrushLink::LargestRadius);
+  this->Width->setValue(pulls ? this->Link.Width().Width : this->Brush.Radius());
+  this->TwoWidths->setVisible(pulls);
+  this->Edges->setVisible(!pulls);
   this->TwoWidths->setChecked(this->Link.Width().HasTwo);
 }
 
@@ -274,6 +323,10 @@ QString CorrectionPanel::Sentence() const
   if (!corrected.IsReady())
   {
     return "Working...";
+  }
+  if (count == 0 && !this->IsPulling())
+  {
+    return "Paint in a slice or at the surface in 3-D; Ctrl erases, the wheel sets the radius.";
   }
   if (count == 0)
   {

@@ -19,11 +19,15 @@ public:
 
   void Show(const StudyState& state, const StudyCorrected& corrected);
   vtkSurfaceDisplay* Display() const { return this->Shown; }
+  /// The outline of a brush's strokes that it has not yet; null: none.
+  void ShowStroke(vtkPolyData* outline, bool erases);
+  vtkSurfaceDisplay* Stroke() const { return this->Painted; }
   /// Whether it is shown instead of a structure's own surface.
   bool IsOf(int id) const { return this->Shown->GetVisibility() && this->Id == id; }
 
 private:
   vtkNew<vtkSurfaceDisplay> Shown;
+  vtkNew<vtkSurfaceDisplay> Painted;
   int Id = 0;
   std::uint64_t Revision = 0; // that is shown
 };

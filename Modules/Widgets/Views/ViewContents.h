@@ -66,6 +66,11 @@ public:
   {
     this->Corrected.Show(state, corrected);
   }
+  /// See ShownCorrection.
+  void ShowStroke(vtkPolyData* outline, bool erases)
+  {
+    this->Corrected.ShowStroke(outline, erases);
+  }
   /// See ShownMarks.
   void ShowRing(const std::vector<Vector3>& ring, const std::string& text)
   {

@@ -72,6 +72,7 @@ void ViewPane::Show(vtkLinkedView* view, const ViewContents& contents)
   this->AddSurface(contents.Held());
   this->AddSurface(contents.Drawing().Display());
   this->AddSurface(contents.Correction().Display());
+  this->AddSurface(contents.Correction().Stroke());
 }
 
 void ViewPane::AddSurface(vtkSurfaceDisplay* surface)
@@ -193,6 +194,10 @@ bool ViewPane::TakeStroke(QEvent* event)
 bool ViewPane::TakeWheel(const QWheelEvent& wheel)
 {
   constexpr double Notch = 120.0; // of Qt: eighths of a degree
+  if (wheel.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier))
+  {
+    return false;
+  }
   const QPointF place = this->OnCanvas(wheel.position());
   this->IsAccepted = false;
   Q_EMIT WheelTurned(place.x(), place.y(), wheel.angleDelta().y() / Notch);

@@ -104,7 +104,7 @@ Q_SIGNALS:
   void StrokeMoved(double x, double y);
   void StrokeEnded(bool hadControl);
   ///@}
-  /// By notches, away from the user.
+  /// By notches, away from the user; with Shift or Ctrl the wheel is always the style's.
   void WheelTurned(double x, double y, double notches);
 
 protected:

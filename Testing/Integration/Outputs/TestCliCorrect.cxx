@@ -8,6 +8,7 @@
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -158,6 +159,31 @@ TEST_F(CliCorrect, StepsAreDoneInTheirOrderAndReplayed)
             VoxelsOf(ReadSegmentation(this->Folder / "again/mask.nii.gz"), 1));
 }
 
+TEST_F(CliCorrect, StrokesAddAndRemoveTheirVoxels)
+{
+  const std::string path = "-9,0,0:-13,0,0:4";
+  this->JsonOf({"mask.nii.gz", "--label", "1", "--paint=" + path, "--erase", "0,-9,0:3.5",
+                "--paint", "12,13,0:3", "--output", "out"});
+  const Segmentation start = ReadSegmentation(this->Folder / "mask.nii.gz");
+  const Segmentation made = ReadSegmentation(this->Folder / "out/mask.nii.gz");
+  EXPECT_EQ(VoxelsOf(made, 2), VoxelsOf(start, 2)) << "strokes stop there, too";
+  const std::set<vtkIdType> old = VoxelsOf(start, 1);
+  const std::set<vtkIdType> other = VoxelsOf(start, 2);
+  const std::set<vtkIdType> now = VoxelsOf(made, 1);
+  vtkImageData* image = made.Layers[0];
+  for (vtkIdType at = 0; at < image->GetNumberOfPoints(); ++at)
+  {
+    double p[3];
+    image->GetPoint(at, p);
+    const double along = std::clamp(p[0], -13.0, -9.0);
+    const bool isPainted = std::hypot(p[0] - along, p[1], p[2]) <= 4.0;
+    const bool isErased = std::hypot(p[0], p[1] + 9.0, p[2]) <= 3.5;
+    const bool isLast = std::hypot(p[0] - 12.0, p[1] - 13.0, p[2]) <= 3.0;
+    const bool wanted = ((old.count(at) == 1 || isPainted) && !isErased) || isLast;
+    EXPECT_EQ(now.count(at) == 1, wanted && other.count(at) == 0);
+  }
+}
+
 TEST_F(CliCorrect, AModelIsPulledToATarget)
 {
   WriteNearlyASphere(this->Folder / "ball.json"); // 10 mm around (1, 2, 3)
@@ -185,6 +211,10 @@ TEST_F(CliCorrect, RefusesWithTheWayOut)
   refused({"mask.nii.gz", "--label", "1", "--cut", "1,2,3"}, "POINT:NORMAL");
   refused({"mask.nii.gz", "--label", "1", "--cut", "90,0,0:-1,0,0"}, "no voxels left");
   refused({"mask.nii.gz", "--label", "1", "--fill", "--smooth", "99"}, "step 2");
+  refused({"mask.nii.gz", "--label", "1", "--paint", "1,2,3"}, "RADIUS");
+  refused({"mask.nii.gz", "--label", "1", "--erase", "1,2,3:x"}, "no number");
+  refused({"mask.nii.gz", "--label", "1", "--paint", "1,2,3:99"}, "radius");
+  refused({"mask.nii.gz", "--label", "1", "--erase", "0,0,0:30"}, "no voxels left");
   refused({"ball.json", "--smooth", "1"}, "a model can be pulled");
   refused({"ball.json", "--pull", "11,2,3:-12:2"}, "centre");
   // A source is never replaced.

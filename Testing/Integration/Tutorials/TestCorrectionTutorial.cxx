@@ -2,6 +2,7 @@
 #include "TrueMask.h"
 #include "TutorialWindow.h"
 
+#include <QCheckBox>
 #include <QLabel>
 
 namespace palpate::correction_tutorial_test
@@ -46,6 +47,24 @@ protected:
     SendMouse(canvas, QEvent::MouseButtonRelease, end, Qt::LeftButton, Qt::NoButton);
     this->WaitForSurface();
   }
+  // In another slice, from the inside beyond where the edge is.
+  void PaintToTheEdge()
+  {
+    this->Action("Paint or pull")->trigger();
+    this->Window->findChild<QCheckBox*>("correct-edges")->setChecked(true);
+    const Vector3 middle = this->Middle + Vector3(0, 0, 9);
+    const Vector3 edge = this->Seen.EdgeFrom(middle, middle - Vector3(40, 20, 0));
+    const Vector3 out = (edge - middle).normalized();
+    const Vector3 along(-out.y(), out.x(), 0.0);
+    this->Drag(edge - 7.0 * out - 5.0 * along, edge - 2.0 * out + 8.0 * along, false);
+    this->ExpectBaseline("tutorial-correct-brush.png");
+    const SlicePane* axial = this->Window->Views()->Slice(SliceOrientation::Axial);
+    SendMouse(axial->Canvas(), QEvent::MouseButtonRelease, PlaceIn(*axial, edge), Qt::LeftButton,
+              Qt::NoButton);
+    this->WaitForSurface();
+    ASSERT_EQ(this->Study->State().Correction.Steps.size(), 3U);
+    EXPECT_TRUE(std::holds_alternative<VoxelEdit>(this->Study->State().Correction.Steps.back()));
+  }
   // Of the mask as it is, on the line from the middle.
   Vector3 SurfaceTowards(const Vector3& place)
   {
@@ -67,7 +86,7 @@ protected:
   test::TrueMask Seen;
 };
 
-TEST_F(CorrectionTutorial, FiveStepsLeadToTheTrueMask)
+TEST_F(CorrectionTutorial, SixStepsLeadToTheTrueMask)
 {
   ASSERT_NO_FATAL_FAILURE(this->Run({"phantom", "--seed", "9", "--output", "patient"}));
   ASSERT_NO_FATAL_FAILURE(
@@ -89,11 +108,12 @@ TEST_F(CorrectionTutorial, FiveStepsLeadToTheTrueMask)
   this->Drag(this->SurfaceTowards(right), this->Seen.EdgeFrom(this->Middle, right), true);
   ASSERT_EQ(this->Study->State().Correction.Steps.size(), 2U);
   this->ExpectBaseline("tutorial-correct-change.png");
+  ASSERT_NO_FATAL_FAILURE(this->PaintToTheEdge());
   this->Chosen = QString::fromStdString(this->File("gland").string());
   this->Button("correct-keep")->click();
   WaitUntil([this] { return this->Study->State().Structures.size() > 1; });
   const Segmentation kept = ReadSegmentation(this->File("gland/mask.nii.gz"));
-  EXPECT_GT(this->Seen.DiceOf(kept.Layers[0]), 0.985) << "two pulls";
+  EXPECT_GT(this->Seen.DiceOf(kept.Layers[0]), 0.985) << "two pulls and a stroke";
 }
 } // namespace
 } // namespace palpate::correction_tutorial_test

@@ -195,6 +195,54 @@ TEST_F(StudyCorrectionTest, ToolFeelsTheResult)
   EXPECT_EQ(contactOf(), before);
 }
 
+BrushStroke Painted(const Vector3& from, const Vector3& to, bool isInSlice)
+{
+  BrushStroke stroke;
+  stroke.PointsWorld =
+      std::make_shared<const BrushStroke::Path>(BrushStroke::Path{from, (from + to) / 3.0, to});
+  stroke.Radius = 2.0;
+  stroke.SliceNormal = isInSlice ? std::optional<Vector3>(Vector3::UnitZ()) : std::nullopt;
+  return stroke;
+}
+
+TEST_F(StudyCorrectionTest, StrokesAreDoneByJobsAndUndone)
+{
+  const std::vector<unsigned char> before = this->Shape().Voxels()->Start().Inside;
+  StudyState next = this->Open.State();
+  next.Correction.Steps.emplace_back(Painted(Top, Top + Vector3(0, 6, 0), false));
+  this->Open.Change("Paint", next);
+  EXPECT_FALSE(this->Shape().IsReady());
+  EXPECT_NE(this->Shape().Voxels(), nullptr) << "the next stroke need not wait";
+  this->Settle();
+  EXPECT_GT(this->Shape().Change()->AddedVoxels, 20);
+  EXPECT_GT(this->Shape().Surface()->GetBounds()[3], 14.0);
+  this->Open.Undo();
+  this->Settle();
+  CorrectedMask undone = *this->Shape().Voxels();
+  EXPECT_EQ(undone.Mask().Inside, before);
+  EXPECT_EQ(this->Shape().Change(), nullptr);
+}
+
+TEST_F(StudyCorrectionTest, FillsBetweenTheSlicesThatWerePaintedLast)
+{
+  const IndexToWorld grid{Vector3(0, 0, 5), Vector3(1, 1, 2).asDiagonal()};
+  const auto at = [](double z) { return Painted(Vector3(1, 1, z), Vector3(3, 1, z), true); };
+  const IndexRun run{{4, 5, 12}, 3};
+  const VoxelEdit edit{
+      std::make_shared<const std::vector<IndexRun>>(std::vector<IndexRun>{run, {{4, 6, 12}, 1}}),
+      false};
+  std::vector<CorrectionStep> steps{at(5.0), at(9.1)};
+  EXPECT_EQ(FillingBetweenPainted(steps, grid), (SliceFilling{2, 0, 2}));
+  steps.emplace_back(SliceCopy{2, 2, 3});
+  EXPECT_EQ(FillingBetweenPainted(steps, grid), (SliceFilling{2, 0, 3})) << "2 is next to 3";
+  steps.insert(steps.end(), {Pulled(Top, 1.0), Painted(Top, Top, false), edit});
+  EXPECT_EQ(FillingBetweenPainted(steps, grid), (SliceFilling{2, 3, 12}));
+  EXPECT_EQ(FillingBetweenPainted({at(5.0), at(5.0)}, grid), std::nullopt);
+  EXPECT_EQ(FillingBetweenPainted({at(5.0), SliceCopy{1, 2, 9}}, grid), std::nullopt);
+  EXPECT_EQ(SliceOfPlane(grid, Vector3::Zero(), Vector3(0, 1, 1)), std::nullopt) << "oblique";
+  EXPECT_EQ(NumbersIn(steps), 3U * 9U + 8U);
+}
+
 TEST_F(StudyCorrectionTest, SessionAndRecoveryKeepTheSteps)
 {
   SurfacePull far = Pulled(Top, 0.0);
@@ -208,6 +256,13 @@ TEST_F(StudyCorrectionTest, SessionAndRecoveryKeepTheSteps)
                             CavityFilling{},
                             SurfaceSmoothing{1.5},
                             PlaneCut{Center, Vector3(1, 2, 30)},
+                            Painted(Top / 3.0, Center, true),
+                            Painted(Top, Center + Vector3(1, 2, 3), false),
+                            VoxelEdit{std::make_shared<const std::vector<IndexRun>>(
+                                          std::vector<IndexRun>{{{13, 20, 14}, 5}}),
+                                      true},
+                            SliceCopy{2, 14, 15},
+                            SliceFilling{0, 12, 15},
                             far};
         correction.Neighbors = NeighborPolicy::Overlap;
       });
