@@ -65,7 +65,8 @@ void CompleteCommand::DeclareOptions(CLI::App& app)
   app.add_option("POINTS", this->Inputs.Points,
                  "Touched points, mm, patient LPS (" + ListOfEndings(TouchedPointsEndings()) +
                      "): a table with columns x, y, z and perhaps nx, ny, nz, sd, stroke and "
-                     "outside, or markups of 3D Slicer, whose curves are strokes")
+                     "outside, or markups of 3D Slicer, whose curves are strokes, or a recorded "
+                     "touch")
       ->check(FileType::Input("file"));
   app.add_option("--prior", this->Inputs.Prior,
                  "What is known of the organ, as cohort --prior wrote it (default: that it is "
@@ -76,6 +77,10 @@ void CompleteCommand::DeclareOptions(CLI::App& app)
                  "Standard deviation of a touched point from the surface, mm")
       ->type_name("MM")
       ->check(FiniteNumber::Between(0.01, 100.0))
+      ->capture_default_str();
+  app.add_option("--tool-radius", this->ToolRadius, "Of the sphere that touched in a recording, mm")
+      ->type_name("MM")
+      ->check(FiniteNumber::Between(0.0, 100.0))
       ->capture_default_str();
   app.add_option("--center", this->Center,
                  "A point near the organ's centre, mm, patient LPS (default: the middle of the "
@@ -99,7 +104,7 @@ std::unique_ptr<ShapeCompletion> CompleteCommand::Complete(std::size_t& count) c
   std::vector<SurfaceTouch> touches;
   if (!this->Inputs.Points.empty())
   {
-    touches = ReadTouchedPoints(this->Inputs.Points, this->Inputs.Sigma);
+    touches = ReadTouchedPoints(this->Inputs.Points, this->Inputs.Sigma, this->ToolRadius);
   }
   std::optional<Vector3> center;
   if (!this->Center.empty())

@@ -28,6 +28,7 @@ private:
 
   CompletionInputs Inputs;
   std::string Center;
+  double ToolRadius = 0.0; // mm
   std::filesystem::path Grid;
   ImageOptions Images;
   std::filesystem::path Output;

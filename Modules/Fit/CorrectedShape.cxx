@@ -179,6 +179,15 @@ OrganModel CorrectedShape::ResultModel() const
   return model;
 }
 
+BodyComparison CorrectedShape::CompareWith(const ComparedBody& other)
+{
+  ComparedBody result;
+  RequireInput(ComparedBody::OfMask(this->Mask->Mask(), this->Mask->Grid(), result), "the mask");
+  BodyComparison comparison;
+  RequireInput(CompareBodies(result, other, {}, {}, comparison), "the comparison");
+  return comparison;
+}
+
 CorrectionChange CorrectedShape::Change()
 {
   CorrectionChange change;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "BodyComparison.h"
 #include "CorrectedMask.h"
 #include "CorrectionStep.h"
 #include "IndexedMesh.h"
@@ -92,6 +93,9 @@ public:
 
   /// The corrected mask; only if IsMask. See CorrectedMask::Mask.
   const VoxelMask& ResultMask() { return this->Mask->Mask(); }
+  /// The corrected mask (ComparedBody::OfMask) compared with another body; only if IsMask. Throws
+  /// InputError.
+  BodyComparison CompareWith(const ComparedBody& other);
   /// The corrected model; only if not IsMask. Throws InputError if it cannot be one.
   OrganModel ResultModel() const;
   /// Measured within a second. Throws InputError.

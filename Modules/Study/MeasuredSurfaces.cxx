@@ -15,7 +15,7 @@ MeasuredSurfaces::~MeasuredSurfaces()
   this->Show({});
 }
 
-void MeasuredSurfaces::Show(const std::map<int, vtkPolyData*>& surfaces)
+void MeasuredSurfaces::Show(const std::map<int, vtkPolyData*>& surfaces, const Models& models)
 {
   for (auto one = this->All.begin(); one != this->All.end();)
   {
@@ -36,6 +36,13 @@ void MeasuredSurfaces::Show(const std::map<int, vtkPolyData*>& surfaces)
     {
       this->Clear(shown);
       shown.Source = surface;
+    }
+    const auto model = models.find(id);
+    const auto drawn = model != models.end() ? model->second : nullptr;
+    if (shown.Model != drawn)
+    {
+      shown.Model = drawn;
+      shown.OnModel.reset();
     }
   }
 }
@@ -61,8 +68,10 @@ const SurfacePaths* MeasuredSurfaces::Prepare(int id, Surface& surface)
   if (surface.Time < surface.Source->GetMTime())
   {
     const vtkSmartPointer<vtkPolyData> source = surface.Source;
+    const auto model = surface.Model;
     this->Clear(surface);
     surface.Source = source;
+    surface.Model = model;
     surface.Time = source->GetMTime();
     if (source->GetNumberOfPolys() > MostTrianglesAtOnce)
     {
@@ -148,12 +157,34 @@ std::optional<MeasuredSurfaces::Place> MeasuredSurfaces::Nearest(const Vector3& 
   return nearest;
 }
 
-Status MeasuredSurfaces::FindPath(int id, const Vector3& from, const Vector3& to,
+Status MeasuredSurfaces::FindOnModel(Surface& surface, const Vector3& from, const Vector3& to,
+                                     SurfacePaths::Path& path)
+{
+  Status status = Status::Success();
+  if (!surface.OnModel)
+  {
+    SurfaceGeodesics made;
+    status = SurfaceGeodesics::OfModel(*surface.Model, made);
+    surface.OnModel = status.IsOk() ? std::optional(made) : std::nullopt;
+  }
+  SurfaceGeodesics::Length found;
+  status = status.IsOk() ? surface.OnModel->Find(from, to, {}, found) : status;
+  path = {std::move(found.Points), found.Along};
+  return status;
+}
+
+Status MeasuredSurfaces::FindPath(int id, const Vector3& from, const Vector3& to, PathOn on,
                                   SurfacePaths::Path& path)
 {
   const SurfacePaths* prepared = nullptr;
   const Status status = this->Prepare(id, prepared);
-  return prepared != nullptr ? prepared->Find(from, to, path) : status;
+  if (prepared == nullptr)
+  {
+    return status;
+  }
+  Surface& surface = this->All.at(id);
+  const bool isOnModel = on == PathOn::Model && surface.Model != nullptr;
+  return isOnModel ? FindOnModel(surface, from, to, path) : prepared->Find(from, to, path);
 }
 
 Status MeasuredSurfaces::FindThickness(int id, const Vector3& pointWorld, WallThickness& wall)

@@ -1,8 +1,10 @@
 #pragma once
 
 #include "MeshGap.h"
+#include "OrganModel.h"
 #include "PalpateStudyModule.h"
 #include "StudyJobs.h"
+#include "SurfaceGeodesics.h"
 #include "SurfacePaths.h"
 #include "WallThickness.h"
 
@@ -30,8 +32,9 @@ public:
   MeasuredSurfaces& operator=(const MeasuredSurfaces&) = delete;
   ~MeasuredSurfaces();
 
-  /// By the structure's id.
-  void Show(const std::map<int, vtkPolyData*>& surfaces);
+  using Models = std::map<int, std::shared_ptr<const OrganModel>>;
+  /// By the structure's id; the models of surfaces that are drawings of them.
+  void Show(const std::map<int, vtkPolyData*>& surfaces, const Models& models = {});
 
   struct Place
   {
@@ -45,9 +48,17 @@ public:
   /// nothing is nearer than `most`, or if a surface that might be is being prepared.
   std::optional<Place> Nearest(const Vector3& pointWorld, double most, int id = 0);
 
+  /// What lengths along a surface are measured on: its triangles, or its model if it has one, as
+  /// `palpate measure` does, which takes some 0.1 s.
+  enum class PathOn
+  {
+    Triangles,
+    Model
+  };
   /// These fail if a structure has no surface, or one that is being prepared, or the kernel does
-  /// (SurfacePaths, MeasureThickness, FindMeshGap).
-  Status FindPath(int id, const Vector3& from, const Vector3& to, SurfacePaths::Path& path);
+  /// (SurfacePaths, SurfaceGeodesics, MeasureThickness, FindMeshGap).
+  Status FindPath(int id, const Vector3& from, const Vector3& to, PathOn on,
+                  SurfacePaths::Path& path);
   Status FindThickness(int id, const Vector3& pointWorld, WallThickness& wall);
   Status FindGap(int one, int other, MeshGap& gap);
 
@@ -57,6 +68,8 @@ private:
     vtkSmartPointer<vtkPolyData> Source;
     vtkMTimeType Time = 0;
     std::shared_ptr<const SurfacePaths> Paths; ///< null until it is needed
+    std::shared_ptr<const OrganModel> Model;   ///< null: of none
+    std::optional<SurfaceGeodesics> OnModel;   ///< once it is needed
     Status Problem = Status::Success();
     std::optional<StudyJobs::Id> Job;
   };
@@ -64,6 +77,8 @@ private:
   const SurfacePaths* Prepare(int id, Surface& surface);
   void StartJob(int id, Surface& surface);
   Status Prepare(int id, const SurfacePaths*& prepared);
+  static Status FindOnModel(Surface& surface, const Vector3& from, const Vector3& to,
+                            SurfacePaths::Path& path);
 
   struct Gap
   {

@@ -59,6 +59,7 @@ void ExchangeMeasurement(JsonFields& fields, StudyMeasurement& measurement)
   {
     fields.ExchangeList("path", measurement.PathWorld, ExchangePlace);
   }
+  fields.ExchangeIfSet("path_length_mm", measurement.PathLength, 0.0, LargestPlace);
   fields.ExchangeIfSet("structure", measurement.StructureId, 0, std::numeric_limits<int>::max());
   fields.ExchangeIfSet("open", measurement.IsOpen);
   fields.Require(HasValidPoints(measurement),

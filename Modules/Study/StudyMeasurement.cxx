@@ -35,7 +35,8 @@ const KindFacts& FactsOf(MeasurementKind kind)
 
 auto Fields(const StudyMeasurement& m)
 {
-  return std::tie(m.Kind, m.Name, m.PointsWorld, m.PathWorld, m.StructureId, m.IsOpen);
+  return std::tie(m.Kind, m.Name, m.PointsWorld, m.PathWorld, m.PathLength, m.StructureId,
+                  m.IsOpen);
 }
 
 Vector3 MeanOf(const std::vector<Vector3>& points)
@@ -92,7 +93,9 @@ std::optional<double> ValueOf(const StudyMeasurement& measurement)
                ? std::nullopt
                : std::optional(180.0 / M_PI * AngleAt(points[1], points[0], points[2]));
   default:
-    return points.size() < 2 ? std::nullopt : std::optional(PolylineLength(measurement.Line()));
+    return points.size() < 2              ? std::nullopt
+           : measurement.PathLength > 0.0 ? std::optional(measurement.PathLength)
+                                          : std::optional(PolylineLength(measurement.Line()));
   }
 }
 

@@ -33,8 +33,10 @@ struct StudyMeasurement
   std::vector<Vector3>
       PointsWorld;                ///< as placed; of a gap or a thickness, the ends that were found
   std::vector<Vector3> PathWorld; ///< of a surface curve, the path through its points
-  int StructureId = 0;            ///< on whose surface its first point is; 0: on none
-  bool IsOpen = false;            ///< the next point of this kind is added to it
+  /// mm, of that path: on a model, whose points it connects; 0: the length of its line.
+  double PathLength = 0.0;
+  int StructureId = 0; ///< on whose surface its first point is; 0: on none
+  bool IsOpen = false; ///< the next point of this kind is added to it
 
   /// The line that is drawn and measured.
   const std::vector<Vector3>& Line() const

@@ -1,5 +1,7 @@
 #include "StudyMeasuring.h"
 
+#include "PointMeasures.h"
+
 #include <algorithm>
 
 namespace palpate
@@ -31,12 +33,17 @@ Status PlaceOnSurface(const StudyMeasurement& measurement, const PlacedPoint& po
   return Status::Success();
 }
 
-Status ExtendPath(StudyMeasurement& curve, const Vector3& place, MeasuredSurfaces& surfaces)
+Status ExtendPath(StudyMeasurement& curve, const Vector3& place, MeasuredSurfaces& surfaces,
+                  MeasuredSurfaces::PathOn on)
 {
   SurfacePaths::Path part;
-  const Status status = surfaces.FindPath(curve.StructureId, curve.PointsWorld.back(), place, part);
+  const Status status =
+      surfaces.FindPath(curve.StructureId, curve.PointsWorld.back(), place, on, part);
   if (status.IsOk())
   {
+    const bool hasLength = curve.PathLength > 0.0 || curve.PathWorld.empty();
+    curve.PathLength =
+        (hasLength ? curve.PathLength : PolylineLength(curve.PathWorld)) + part.Length;
     const std::size_t shared = curve.PathWorld.empty() ? 0 : 1;
     curve.PathWorld.insert(curve.PathWorld.end(),
                            part.Points.begin() + static_cast<std::ptrdiff_t>(shared),
@@ -63,7 +70,7 @@ Status MeasureGap(StudyMeasurement& measurement, int other, MeasuredSurfaces& su
 }
 
 Status AddOnSurface(StudyMeasurement& measurement, const MeasuredSurfaces::Place& place,
-                    MeasuredSurfaces& surfaces)
+                    MeasuredSurfaces& surfaces, MeasuredSurfaces::PathOn on)
 {
   if (measurement.PointsWorld.empty())
   {
@@ -83,7 +90,7 @@ Status AddOnSurface(StudyMeasurement& measurement, const MeasuredSurfaces::Place
   }
   return measurement.Kind == MeasurementKind::Gap
              ? MeasureGap(measurement, place.StructureId, surfaces)
-             : ExtendPath(measurement, place.PointWorld, surfaces);
+             : ExtendPath(measurement, place.PointWorld, surfaces, on);
 }
 
 std::string StructureName(const StudyState& state, int id)
@@ -132,7 +139,8 @@ const StudyMeasurement* OpenMeasurement(const StudyState& state)
   return found != state.Measurements.end() ? &*found : nullptr;
 }
 
-Status AddPoint(StudyMeasurement& measurement, const PlacedPoint& point, MeasuredSurfaces& surfaces)
+Status AddPoint(StudyMeasurement& measurement, const PlacedPoint& point, MeasuredSurfaces& surfaces,
+                MeasuredSurfaces::PathOn on)
 {
   StudyMeasurement next = measurement;
   Status status = Status::Success();
@@ -140,7 +148,7 @@ Status AddPoint(StudyMeasurement& measurement, const PlacedPoint& point, Measure
   {
     MeasuredSurfaces::Place place;
     status = PlaceOnSurface(next, point, surfaces, place);
-    status = status.IsOk() ? AddOnSurface(next, place, surfaces) : status;
+    status = status.IsOk() ? AddOnSurface(next, place, surfaces, on) : status;
   }
   else
   {
@@ -162,7 +170,7 @@ Status AddPoint(StudyState& state, MeasurementKind kind, const PlacedPoint& poin
   next.Kind = kind;
   const bool continues = open != nullptr && open->Kind == kind;
   next = continues ? *open : next;
-  const Status status = AddPoint(next, point, surfaces);
+  const Status status = AddPoint(next, point, surfaces, MeasuredSurfaces::PathOn::Model);
   if (!status.IsOk())
   {
     return status;

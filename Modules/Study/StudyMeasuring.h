@@ -20,13 +20,13 @@ constexpr double FarthestPlacing = 10.0;
 PALPATESTUDY_EXPORT const StudyMeasurement* OpenMeasurement(const StudyState& state);
 
 /// The measurement as it is with a point more. Fails where the surfaces do not allow it, and then
-/// leaves it unchanged.
+/// leaves it unchanged. A curve along a surface is measured on its triangles or its model.
 PALPATESTUDY_EXPORT Status AddPoint(StudyMeasurement& measurement, const PlacedPoint& point,
-                                    MeasuredSurfaces& surfaces);
+                                    MeasuredSurfaces& surfaces, MeasuredSurfaces::PathOn on);
 
 /// Adds a point to the open measurement of this kind, or begins one. An open one of another kind
-/// ends: curves with two points stay, others go. Fails as above, and then leaves the state
-/// unchanged.
+/// ends: curves with two points stay, others go. A curve along a model is measured on it. Fails as
+/// above, and then leaves the state unchanged.
 PALPATESTUDY_EXPORT Status AddPoint(StudyState& state, MeasurementKind kind,
                                     const PlacedPoint& point, MeasuredSurfaces& surfaces);
 

@@ -3,9 +3,12 @@
 #include "CsvText.h"
 #include "DecimalText.h"
 #include "FileFormat.h"
+#include "RecordedTouches.h"
 #include "Refusal.h"
 #include "StudyMarkupsReader.h"
 #include "TableEncoding.h"
+#include "TouchRecording.h"
+#include "TouchTicksFile.h"
 #include "WholeFile.h"
 
 #include <algorithm>
@@ -117,6 +120,23 @@ std::vector<SurfaceTouch> OfMarkups(const StudyMarkups& markups, double deviatio
   return touches;
 }
 
+std::vector<SurfaceTouch> OfRecording(const std::filesystem::path& file, double deviation,
+                                      double toolRadius)
+{
+  TouchRecording recording;
+  RequireInput(ReadTouchRecording(file.string(), recording));
+  RecordedTouchSettings settings;
+  settings.ToolRadius = toolRadius;
+  settings.Deviation = deviation;
+  std::vector<SurfaceTouch> touches = TouchesOf(recording, settings);
+  if (touches.empty())
+  {
+    Refuse(file, "has no tick in which the tool touches a structure that does not yield",
+           "record a touch of the organ");
+  }
+  return touches;
+}
+
 // The table in a .fcsv, whose header and frame are comments.
 std::string TableOfFcsv(const std::string& text, double& side)
 {
@@ -193,11 +213,16 @@ StudyMarkups MarkupsOfTouches(const std::vector<SurfaceTouch>& touches)
 
 std::vector<std::string> TouchedPointsEndings()
 {
-  return {".csv", ".mrk.json", ".fcsv"};
+  return {".csv", ".mrk.json", ".fcsv", ".touch"};
 }
 
-std::vector<SurfaceTouch> ReadTouchedPoints(const std::filesystem::path& file, double deviation)
+std::vector<SurfaceTouch> ReadTouchedPoints(const std::filesystem::path& file, double deviation,
+                                            double toolRadius)
 {
+  if (IsTouchRecording(file))
+  {
+    return OfRecording(file, deviation, toolRadius);
+  }
   std::vector<SurfaceTouch> touches;
   if (IsMarkupsFile(file))
   {

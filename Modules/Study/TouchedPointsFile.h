@@ -9,7 +9,7 @@
 
 namespace palpate
 {
-/// Endings of files of touched points: .csv, .mrk.json, .fcsv.
+/// Endings of files of touched points: .csv, .mrk.json, .fcsv, .touch.
 PALPATESTUDY_EXPORT std::vector<std::string> TouchedPointsEndings();
 
 /// Reads points that were touched on an organ (mm, patient LPS), of a standard deviation (mm)
@@ -17,10 +17,11 @@ PALPATESTUDY_EXPORT std::vector<std::string> TouchedPointsEndings();
 /// themselves, each curve as a stroke; its older .fcsv, from RAS too. A table, with a header and
 /// any of CsvSeparator's separators: x, y, z or x_mm, y_mm, z_mm; where it has them nx, ny, nz (a
 /// normal, empty for none), sd (mm), stroke (a number from 1) and outside (1: the organ does not
-/// reach that far). Throws InputError, naming the line, for what is not such a file, without points
-/// or of more than 16 MiB.
-PALPATESTUDY_EXPORT std::vector<SurfaceTouch> ReadTouchedPoints(const std::filesystem::path& file,
-                                                                double deviation);
+/// reach that far); of more than 16 MiB it is refused. A recorded touch: where a sphere of
+/// `toolRadius` (mm) touched (TouchesOf). Throws InputError, naming the line, for what is not such
+/// a file or has no points.
+PALPATESTUDY_EXPORT std::vector<SurfaceTouch>
+ReadTouchedPoints(const std::filesystem::path& file, double deviation, double toolRadius = 0.0);
 
 /// Writes touches so that ReadTouchedPoints reads them, under AtomicFile's rules, by the ending:
 /// .csv with all columns and full precision; .mrk.json with points and strokes alone. Throws

@@ -144,6 +144,7 @@ void ExchangeTarget(JsonFields& fields, TaskTarget& target, TaskKind kind)
   fields.Exchange("scene", target.Scene);
   fields.Require(!target.Scene.empty(), "has no \"scene\" in its " + fields.Place(),
                  "name a scene file (.scene.json)");
+  fields.ExchangeIfSet("image", target.Image);
   fields.ExchangeIfSet("training", target.IsTraining);
   fields.Exchange("tolerance_mm", target.Tolerance, 0.0, 1000.0);
   if (kind != TaskKind::Mask)
@@ -314,6 +315,7 @@ std::string TaskDigest(const TaskSettings& task)
   {
     target.Scene = target.Scene.filename();
     target.Mask = target.Mask.filename();
+    target.Image = target.Image.filename();
   }
   for (TaskCondition& condition : named.Conditions)
   {

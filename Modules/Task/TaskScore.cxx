@@ -2,9 +2,9 @@
 
 #include "AlongLine.h"
 #include "PathCourse.h"
+#include "PoseMap.h"
 #include "Units.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -206,15 +206,9 @@ TaskScore OutlineScore(const TaskTarget& target, const TaskAnswer& answer)
 
 TaskScore DockScore(const TaskTarget& target, const TaskAnswer& answer)
 {
-  const auto turnOf = [](const Vector3& degrees) -> Eigen::Quaterniond
-  {
-    const double angle = degrees.norm() / DegreesPerRadian;
-    return Eigen::Quaterniond(angle > 0.0 ? Eigen::AngleAxisd(angle, degrees.normalized())
-                                          : Eigen::AngleAxisd::Identity());
-  };
   const double distance = (answer.Shift - target.Pose.Shift).norm();
   const double angle =
-      turnOf(answer.Turn).angularDistance(turnOf(target.Pose.Turn)) * DegreesPerRadian;
+      TurnOf({answer.Shift, answer.Turn}).angularDistance(TurnOf(target.Pose)) * DegreesPerRadian;
   return {{distance, angle}, distance <= target.Tolerance && angle <= target.AngleTolerance};
 }
 

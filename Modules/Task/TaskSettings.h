@@ -45,7 +45,8 @@ struct TaskTarget
   std::filesystem::path Scene;
   bool IsTraining = false; ///< for training trials only
   /// Nodule: the point of the surface above it, none without a nodule. Landmarks: each. Outline: a
-  /// closed contour in a plane. Path: from its start to its end. Dock: the body's centre.
+  /// closed contour in a plane. Path: from its start to its end. Dock: the body's centre; it is the
+  /// scene's first structure, and the second one is where it is to be.
   std::vector<TaskPoint> Points;
   double Diameter = 0.0;  ///< mm, of the nodule
   double Tolerance = 1.0; ///< mm, of a success
@@ -53,6 +54,7 @@ struct TaskTarget
   Vector3 Side = Vector3::UnitY();
   double Reach = 15.0;         ///< mm
   std::filesystem::path Mask;  ///< the true one
+  std::filesystem::path Image; ///< that slices show; empty: none
   TaskPose Pose;               ///< the true one
   double AngleTolerance = 5.0; ///< degrees, of a success
 };

@@ -12,7 +12,6 @@
 #include "SurfaceFile.h"
 #include "ThresholdDialog.h"
 #include "ToolIcon.h"
-#include "TrialActivity.h"
 
 #include <QFileInfo>
 
@@ -136,9 +135,7 @@ void FileMenu::AddTasks()
     const auto kind = static_cast<TaskKind>(n);
     QAction* action = ready->addAction(QString::fromStdString(ReadyTaskTitle(kind)) + "...", this,
                                        [this, kind] { Q_EMIT this->ReadyTaskAsked(kind); });
-    action->setEnabled(HasTrialActivity(kind));
-    action->setToolTip(action->isEnabled() ? "With made phantoms, in a folder that you choose"
-                                           : "From the command line only until now: palpate task");
+    action->setToolTip("With made phantoms, in a folder that you choose");
   }
 }
 

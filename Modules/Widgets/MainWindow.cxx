@@ -329,17 +329,15 @@ QDockWidget* MainWindow::AddMode(QAction* mode, QDockWidget* dock)
 QDockWidget* MainWindow::MakeMatching()
 {
   this->Matching = new MatchingLink(this->Study, this->Shown, *this->Grid, this);
-  QDockWidget* dock =
-      this->AddPanel("Held organ", new MatchingPanel(this->Study, this->Shown, *this->Matching,
-                                                     this->Questions, this));
-  this->AddMode(this->Matching->Mode(), dock);
-  return dock;
+  auto* panel = new MatchingPanel(this->Study, this->Shown, *this->Matching, this->Questions, this);
+  return this->AddMode(this->Matching->Mode(), this->AddPanel("Held organ", panel));
 }
 
 void MainWindow::MakeTasks(TouchLink& touch)
 {
   this->Tasks = new TaskLink({this->Study, this->Questions, this->Shown, *this->Grid,
-                              *this->Drawing, [&touch](bool isOn) { touch.ShowHandOnly(isOn); },
+                              *this->Drawing, *this->Correcting, *this->Matching,
+                              [&touch](bool isOn) { touch.ShowHandOnly(isOn); },
                               [this] { return this->Files->MayLeave(); }},
                              this->centralWidget());
   auto* column = qobject_cast<QVBoxLayout*>(this->centralWidget()->layout());

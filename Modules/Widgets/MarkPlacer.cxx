@@ -1,5 +1,8 @@
 #include "MarkPlacer.h"
 
+#include "DisplayedSurface.h"
+#include "FitResult.h"
+
 #include <algorithm>
 
 namespace palpate
@@ -36,7 +39,18 @@ void MarkPlacer::TakeSurfaces()
       shown[id] = surface->GetSurface();
     }
   }
-  this->Surfaces.Show(shown);
+  MeasuredSurfaces::Models models;
+  for (const SceneStructure& structure : this->Study.State().Structures)
+  {
+    const auto fit = this->Contents.Correction().IsOf(structure.Id)
+                         ? nullptr
+                         : ModelOf(this->Study.Current().Pipeline(), structure);
+    if (fit != nullptr)
+    {
+      models[structure.Id] = {fit, &fit->Model};
+    }
+  }
+  this->Surfaces.Show(shown, models);
 }
 
 void MarkPlacer::Place(const PlacedPoint& point)
@@ -154,7 +168,8 @@ void MarkPlacer::Preview(const PlacedPoint& point)
   next.Name = NameOf(next.Kind);
   next = continues ? *open : next;
   this->TakeSurfaces();
-  if (AddPoint(next, point, this->Surfaces).IsOk())
+  // On triangles, which is fast; where it is placed, a model's own length counts.
+  if (AddPoint(next, point, this->Surfaces, MeasuredSurfaces::PathOn::Triangles).IsOk())
   {
     this->Contents.ShowPreview(next);
     Q_EMIT Previewed(QString::fromStdString(next.Name + ": " + ValueText(next, this->Unit)));

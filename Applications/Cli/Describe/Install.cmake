@@ -22,7 +22,7 @@ endif()
 
 install(FILES "${made}/palpate.1" DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 # The page is that of the helpers, too.
-foreach(helper palpate-dicom-decoder palpate-falcon-guard)
+foreach(helper palpate-dicom-decoder palpate-falcon-guard palpate-transform-hdf5)
   if(TARGET ${helper})
     file(WRITE "${made}/${helper}.1" ".so man1/palpate.1\n")
     install(FILES "${made}/${helper}.1" DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)

@@ -11,6 +11,7 @@
 #include "Refusal.h"
 #include "SceneFile.h"
 #include "ScreenText.h"
+#include "TargetScene.h"
 #include "TaskFile.h"
 #include "TaskPlan.h"
 #include "TaskResults.h"
@@ -50,11 +51,11 @@ void CheckScenes(const TaskSettings& task)
   {
     for (const TaskCondition& condition : task.Conditions)
     {
-      static_cast<void>(ReadScene(target.Scene, condition.Patch));
+      CheckTarget(task.Kind, target, ReadScene(target.Scene, condition.Patch));
     }
-    if (!target.Mask.empty())
+    if (!target.Image.empty())
     {
-      static_cast<void>(InputFileSize(target.Mask));
+      static_cast<void>(InputFileSize(target.Image));
     }
   }
 }

@@ -3,14 +3,12 @@
 // a DicomFrameDecoder; it ends at the first frame that it cannot decode, or when its client ends.
 
 #include "FrameExchange.h"
+#include "ProcessLimits.h"
 
-#include <algorithm>
 #include <csignal>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <sstream>
-#include <sys/resource.h>
 #include <unistd.h>
 #include <vector>
 
@@ -28,28 +26,6 @@ namespace
 {
 using palpate::FrameRequest;
 
-void Limit(int resource, rlim_t most)
-{
-  rlimit limit{};
-  getrlimit(static_cast<__rlimit_resource>(resource), &limit);
-  limit.rlim_cur = std::min(most, limit.rlim_max);
-  setrlimit(static_cast<__rlimit_resource>(resource), &limit);
-}
-
-rlim_t MappedBytes()
-{
-  rlim_t pages = 0;
-  std::ifstream("/proc/self/statm") >> pages;
-  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-}
-
-rlim_t ProcessorSeconds()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<rlim_t>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec);
-}
-
 // Limits memory and time by the sizes of the frame and its stream, to several times the needs of
 // the slowest codec.
 void LimitFrame(const FrameRequest& request)
@@ -59,8 +35,8 @@ void LimitFrame(const FrameRequest& request)
   constexpr rlim_t BytesPerSecond = rlim_t{8} << 20;
   const rlim_t bytes = request.SampleBytes() + request.StreamBytes;
   const rlim_t seconds = SomeSeconds + bytes / BytesPerSecond;
-  Limit(RLIMIT_AS, MappedBytes() + SomeMemory + 8 * bytes);
-  Limit(RLIMIT_CPU, ProcessorSeconds() + seconds);
+  palpate::LimitResource(RLIMIT_AS, palpate::MappedBytes() + SomeMemory + 8 * bytes);
+  palpate::LimitResource(RLIMIT_CPU, palpate::ProcessorSeconds() + seconds);
   alarm(static_cast<unsigned int>(12 * seconds));
 }
 
@@ -128,7 +104,7 @@ bool AnswerFrame(int socket, const FrameRequest& request, std::ostringstream& wa
 
 int main()
 {
-  Limit(RLIMIT_CORE, 0);
+  palpate::LimitResource(RLIMIT_CORE, 0);
   DcmRLEDecoderRegistration::registerCodecs();
   DJDecoderRegistration::registerCodecs(EDC_never, EUC_never);
   DJLSDecoderRegistration::registerCodecs();

@@ -4,6 +4,7 @@
 #include "DecimalText.h"
 #include "FileFormat.h"
 #include "FslSpace.h"
+#include "HdfTransform.h"
 #include "ImageFormat.h"
 #include "InputError.h"
 #include "ItkTransform.h"
@@ -214,7 +215,7 @@ std::string FlirtText(const std::filesystem::path& file, const Eigen::Affine3d& 
 
 const std::vector<std::string>& TransformEndings()
 {
-  static const std::vector<std::string> Endings{".tfm", ".txt", ".lta", ".xfm", ".mat"};
+  static const std::vector<std::string> Endings{".tfm", ".txt", ".h5", ".lta", ".xfm", ".mat"};
   return Endings;
 }
 
@@ -225,8 +226,10 @@ Eigen::Affine3d ReadTransform(const std::filesystem::path& file, const Transform
   {
     RefuseEnding(file);
   }
-  const std::string text = ReadWholeFile(file, LargestTransform);
-  Eigen::Affine3d map = ending == ".lta"   ? ReadLta(file, text)
+  const bool isHdf = ending == ".h5";
+  const std::string text = isHdf ? std::string() : ReadWholeFile(file, LargestTransform);
+  Eigen::Affine3d map = isHdf              ? ToAffine(ReadHdfTransform(file))
+                        : ending == ".lta" ? ReadLta(file, text)
                         : ending == ".xfm" ? ReadXfm(file, text)
                         : ending == ".mat" ? ReadFlirt(file, text, images)
                                            : ReadItk(file, text);
@@ -236,7 +239,7 @@ Eigen::Affine3d ReadTransform(const std::filesystem::path& file, const Transform
     Refuse(file, "maps the patient's space to a plane, or has numbers that are not finite",
            "register again");
   }
-  return ending == ".tfm" || ending == ".txt" ? map.inverse() : map;
+  return isHdf || ending == ".tfm" || ending == ".txt" ? map.inverse() : map;
 }
 
 void WriteTransform(const std::filesystem::path& file, const Eigen::Affine3d& map,
@@ -246,6 +249,11 @@ void WriteTransform(const std::filesystem::path& file, const Eigen::Affine3d& ma
   if (ending.empty())
   {
     RefuseEnding(file);
+  }
+  if (ending == ".h5")
+  {
+    WriteHdfTransform(file, ToMapRows(map.inverse()));
+    return;
   }
   const Eigen::Affine3d otherFrame = OtherFrame(map);
   WriteWholeFile(file, ending == ".lta"   ? LtaText(otherFrame)

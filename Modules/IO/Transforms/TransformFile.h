@@ -24,6 +24,7 @@ PALPATEIO_EXPORT const std::vector<std::string>& TransformEndings();
 /// - .tfm, .txt: ITK's text, which maps places of the fixed image to the moving one (LPS), so it is
 ///   inverted; rigid, similarity and affine transforms of three dimensions. 3D Slicer reads it as a
 ///   linear transform that moves the moving volume onto the fixed one.
+/// - .h5: the same in HDF5, which a process of its own reads and writes.
 /// - .lta: FreeSurfer, type 1 (RAS to RAS), from the moving to the fixed volume.
 /// - .xfm: MINC, linear, from the moving (native) to the fixed space (RAS).
 /// - .mat: FSL's FLIRT, from the moving (in) to the fixed image (ref), in their own coordinates

@@ -22,6 +22,27 @@ Status CheckSettings(const HeldFitSettings& settings)
 }
 } // namespace
 
+HeldFitSettings HeldFitSettings::ForHand(const IndexedMesh& fixed)
+{
+  constexpr int FeltPoints = 64;        // a tick of a device takes 0.1 to 0.2 ms for them
+  constexpr double MostForce = 1.5;     // N
+  constexpr double MostStiffness = 1.0; // N/mm
+  constexpr double MostReach = 15.0;    // mm
+  constexpr double LeastReach = 1.0;    // mm
+  Eigen::AlignedBox3d box;
+  for (const Vector3& point : fixed.Points)
+  {
+    box.extend(point);
+  }
+  HeldFitSettings settings;
+  settings.Points = FeltPoints;
+  const double half = box.isEmpty() ? LeastReach : 0.5 * box.sizes().minCoeff();
+  settings.Reach = std::clamp(0.5 * half, LeastReach, MostReach);
+  settings.Stiffness =
+      std::min(MostStiffness, MostForce / (HeldFit::LargestOfPoint * settings.Reach));
+  return settings;
+}
+
 std::vector<Vector3> PointsOfEqualArea(const IndexedMesh& mesh, int count)
 {
   double area = 0.0;

@@ -14,6 +14,10 @@ struct HeldFitSettings
   double Stiffness = 0.5; ///< N/mm, of surfaces that are close to each other; above 0
   double Reach = 10.0;    ///< mm, above 0: parts that are farther apart do not pull
   int Points = 128;       ///< of the held surface, of equal areas; a tick asks for each
+
+  /// For a hand that holds a body near this surface: of at most 1.5 N, which a hand holds for long,
+  /// and half as far as the surface is thick, so that the force is continuous.
+  static HeldFitSettings ForHand(const IndexedMesh& fixed);
 };
 
 /// What a held surface does to the hand that holds it.

@@ -261,6 +261,18 @@ void StudyCorrected::Measure()
   this->Measuring = this->Jobs.Start(std::move(job));
 }
 
+// A step that is done by a job may not be there yet.
+CorrectedShape StudyCorrected::Result() const
+{
+  if (!this->Shape)
+  {
+    throw InputError(this->Message.empty() ? "there is no surface to correct yet" : this->Message);
+  }
+  CorrectedShape result = *this->Shape;
+  result.Do(this->Given.Steps);
+  return result;
+}
+
 Status StudyCorrected::Preview(const SurfacePull& pull)
 {
   if (!this->Shape)

@@ -49,6 +49,8 @@ public:
   const CorrectedMask* Voxels() const { return this->Shape ? this->Shape->Voxels() : nullptr; }
   /// Null until it is ready the first time.
   const SurfaceCorrection* Pulls() { return this->Shape ? &this->Shape->Pulls() : nullptr; }
+  /// With all steps. Throws InputError as CorrectedShape::Do does, and if there is no surface.
+  CorrectedShape Result() const;
   /// Null until it is measured.
   const CorrectionChange* Change() const { return this->Measured.get(); }
 

@@ -10,36 +10,15 @@ namespace palpate
 {
 namespace
 {
-constexpr int FeltPoints = 64;        // a tick of a device takes 0.1 to 0.2 ms for them
-constexpr int MatchedPoints = 800;    // of equal areas
-constexpr double LargestForce = 1.5;  // N, which a hand holds for long
-constexpr double MostStiffness = 1.0; // N/mm
-constexpr double MostReach = 15.0;    // mm
-constexpr double LeastReach = 1.0;    // mm
-
-// The reach is half of what is thick, so that the force is continuous.
-HeldFitSettings SettingsFor(const IndexedMesh& fixed)
-{
-  Eigen::AlignedBox3d box;
-  for (const Vector3& point : fixed.Points)
-  {
-    box.extend(point);
-  }
-  HeldFitSettings settings;
-  settings.Points = FeltPoints;
-  const double half = box.isEmpty() ? LeastReach : 0.5 * box.sizes().minCoeff();
-  settings.Reach = std::clamp(0.5 * half, LeastReach, MostReach);
-  settings.Stiffness =
-      std::min(MostStiffness, LargestForce / (HeldFit::LargestOfPoint * settings.Reach));
-  return settings;
-}
+constexpr int MatchedPoints = 800; // of equal areas
 } // namespace
 
 Status HeldOrgan::Take(const IndexedMesh& moving, const IndexedMesh& fixed)
 {
   this->Leave();
   HeldFit fit;
-  if (Status status = HeldFit::Make(moving, fixed, SettingsFor(fixed), fit); !status.IsOk())
+  if (Status status = HeldFit::Make(moving, fixed, HeldFitSettings::ForHand(fixed), fit);
+      !status.IsOk())
   {
     return status;
   }
@@ -120,7 +99,7 @@ void HeldOrgan::Turn(const Vector3& rotation)
   if (this->Hand)
   {
     this->Hand->Turn(rotation);
-    this->Placed = this->Hand->Pose();
+    this->Placed = this->Rule.IsFelt ? this->Hand->Pose() : this->Hand->Asked();
   }
   else if (this->Carrying != nullptr)
   {
@@ -140,15 +119,19 @@ void HeldOrgan::FollowTool(const Vector3& toolWorld)
   }
 }
 
-void HeldOrgan::Release(bool changesSize)
+void HeldOrgan::Release()
 {
   if (!this->IsHeld())
   {
     return;
   }
   this->Stop();
+  if (!this->Rule.IsMatched)
+  {
+    return;
+  }
   SurfaceRegistrationSettings settings;
-  settings.Kind = changesSize ? RegistrationKind::Similarity : RegistrationKind::Rigid;
+  settings.Kind = this->Rule.ChangesSize ? RegistrationKind::Similarity : RegistrationKind::Rigid;
   StudyJob job;
   job.IsUrgent = true;
   job.Work = [this, settings, points = this->Dense, fixed = this->Fixed,
@@ -187,7 +170,7 @@ bool HeldOrgan::Advance(double time)
   if (this->Hand)
   {
     double way = 0.0;
-    for (int step = 0; step < MostSteps; ++step)
+    for (int step = 0; step < MostSteps && this->Rule.IsFelt; ++step)
     {
       way = this->Hand->Step();
       if (way < Still)
@@ -195,8 +178,9 @@ bool HeldOrgan::Advance(double time)
         break;
       }
     }
-    const bool isMoved = !this->Placed.isApprox(this->Hand->Pose(), 1e-9);
-    this->Placed = this->Hand->Pose();
+    const Eigen::Affine3d& next = this->Rule.IsFelt ? this->Hand->Pose() : this->Hand->Asked();
+    const bool isMoved = !this->Placed.isApprox(next, 1e-9);
+    this->Placed = next;
     return isMoved;
   }
   if (!this->Ramp)

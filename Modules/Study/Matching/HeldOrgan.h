@@ -15,9 +15,18 @@
 
 namespace palpate
 {
+/// How a held organ behaves.
+struct HoldRules
+{
+  bool IsFelt = true;       ///< it resists a pointing hand where it fits, as it does a device's
+  bool IsMatched = true;    ///< let go, it is brought onto the other one; else it stays
+  bool ChangesSize = false; ///< by the match
+};
+
 /// An organ that a hand holds, brings near another one and lets go, upon which an optimiser brings
-/// it onto the other one, from where it was held (RegisterToSurface); it goes there smoothly. Its
-/// pose is a map of the world (mm) from where it was taken. Owner thread only.
+/// it onto the other one, from where it was held (RegisterToSurface); it goes there smoothly. By
+/// other rules it stays where it is let go. Its pose is a map of the world (mm) from where it was
+/// taken. Owner thread only.
 class PALPATESTUDY_EXPORT HeldOrgan
 {
 public:
@@ -44,6 +53,9 @@ public:
   Status Take(const IndexedMesh& moving, const IndexedMesh& fixed);
   Status Take(vtkPolyData* moving, vtkPolyData* fixed);
   void Leave();
+  /// From the next motion on.
+  void SetRules(const HoldRules& rules) { this->Rule = rules; }
+  const HoldRules& Rules() const { return this->Rule; }
   /// Back to where it was taken.
   void PutBack();
 
@@ -54,8 +66,8 @@ public:
   void Move(const Vector3& motion);          ///< mm, of the pointing hand
   void Turn(const Vector3& rotation);        ///< rad, about the organ's middle, while it is held
   void FollowTool(const Vector3& toolWorld); ///< while it is carried
-  /// Lets go: the optimiser starts, by a job; it changes the size too if told.
-  void Release(bool changesSize);
+  /// Lets go: the optimiser starts, by a job, unless the rules leave the organ where it is.
+  void Release();
   /// Follows the hand or the ramp; `time` (s) is any that runs. Returns whether the pose changed.
   bool Advance(double time);
 
@@ -80,6 +92,7 @@ private:
   void TakeMatch(const SurfaceRegistration& made);
 
   StudyJobs& Jobs;
+  HoldRules Rule;
   Phase Now = Phase::Absent;
   std::shared_ptr<const HeldFit> Fit;
   std::shared_ptr<const IndexedMesh> Fixed;

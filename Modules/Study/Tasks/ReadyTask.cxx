@@ -3,9 +3,11 @@
 #include "ImageWriter.h"
 #include "ModelFile.h"
 #include "PhantomSampler.h"
+#include "PoseMap.h"
 #include "ProstateLikeModel.h"
 #include "SoftwareVersions.h"
 #include "TaskFile.h"
+#include "TransformFile.h"
 #include "Units.h"
 #include "WholeFile.h"
 
@@ -75,11 +77,16 @@ void WriteScene(const std::filesystem::path& folder, const JsonObject& structure
   WriteWholeFile(folder / SceneName, scene.dump(2) + "\n");
 }
 
-void WriteRigidScene(const Phantom& phantom)
+void WriteGland(const Phantom& phantom)
 {
   ModelProvenance provenance;
   provenance.Program = "palpate " + SoftwareVersions().front().second;
   WriteModel(phantom.Folder / "gland.json", {phantom.Body, provenance});
+}
+
+void WriteRigidScene(const Phantom& phantom)
+{
+  WriteGland(phantom);
   WriteScene(phantom.Folder, {{{"file", "gland.json"}, {"stiffness_n_per_mm", 1.0}}}, 1.0);
 }
 
@@ -155,17 +162,31 @@ void WriteMask(const Phantom& phantom, TaskTarget& target)
 {
   const PhantomGrid grid = TaskGrid(phantom.Body);
   const RadialModel start = phantom.Body.WithDegree(StartDegree);
-  WriteImage(phantom.Folder / "true.nii.gz", MasksOf(phantom.Body, grid, {}).Mask);
+  const PhantomImages images = MasksOf(phantom.Body, grid, {});
+  WriteImage(phantom.Folder / "true.nii.gz", images.Mask);
+  WriteImage(phantom.Folder / "image.nii.gz", images.Volume);
   WriteImage(phantom.Folder / "start.nii.gz", MasksOf(start, grid, {}).Mask);
   WriteScene(phantom.Folder, {{{"file", "start.nii.gz"}, {"label", 1}}}, 1.0);
   target.Mask = phantom.Folder / "true.nii.gz";
+  target.Image = phantom.Folder / "image.nii.gz";
 }
 
 void WriteDock(const Phantom& phantom, TaskTarget& target)
 {
-  WriteRigidScene(phantom);
   target.Points = {{"", phantom.Body.CenterWorld()}};
   target.Pose = {Vector3(8.0, -5.0, 3.0), Vector3(0.0, 0.0, 10.0)};
+  WriteGland(phantom);
+  WriteTransform(phantom.Folder / "place.tfm",
+                 MapOf(target.Pose, target.Points.front().PointWorld));
+  // Through the place the body is seen.
+  WriteScene(phantom.Folder,
+             {{{"name", "body"}, {"file", "gland.json"}},
+              {{"name", "place"},
+               {"file", "gland.json"},
+               {"transform", "place.tfm"},
+               {"touched", false},
+               {"opacity", 0.5}}},
+             1.0);
 }
 
 // How the target of a kind is made; `number` counts from 0, training last.
@@ -208,8 +229,10 @@ Wording WordingOf(TaskKind kind)
         300.0},
        {"Mark ten landmarks", "Mark each displayed landmark on the organ's surface.", 180.0},
        {"Outline a gland", "Draw the outline of the gland in the displayed slice.", 120.0},
-       {"Correct a mask", "Push and pull the surface until it lies on the organ's edge.", 600.0},
-       {"Dock two bodies", "Move the body to where it fits the other one.", 300.0},
+       {"Correct a mask",
+        "Push and pull the surface until it lies on the edge of the organ in the slices.", 600.0},
+       {"Dock two bodies", "Move and turn the body until it lies exactly where the other one is.",
+        300.0},
        {"Follow a path",
         "Follow the displayed path from its start to its end without touching "
         "the organ.",

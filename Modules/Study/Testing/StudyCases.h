@@ -205,6 +205,7 @@ inline StudyMeasurement RandomMeasurement(Random& random)
   }
   if (measurement.Kind == MeasurementKind::SurfaceCurve)
   {
+    measurement.PathLength = 12.5;
     measurement.PathWorld = {RandomPlace(random), RandomPlace(random)};
     measurement.StructureId = RandomWhole(random, 1, 100);
   }

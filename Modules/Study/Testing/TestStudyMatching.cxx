@@ -73,7 +73,7 @@ TEST_F(HeldOrganTest, ReleaseBringsItOntoTheOther)
   EXPECT_GT(this->Error(), 5.0);
   this->Organ.Point();
   this->Organ.Move({-1.0, 3.0, -2.0});
-  this->Organ.Release(false);
+  this->Organ.Release();
   EXPECT_EQ(this->Organ.Is(), Phase::Matching);
   this->Arrive();
   EXPECT_EQ(this->Organ.Is(), Phase::Lying);
@@ -88,7 +88,8 @@ TEST_F(HeldOrganTest, SizeMayChangeToo)
   const Eigen::Affine3d larger = Off() * Eigen::Scaling(1.05);
   this->Take(larger);
   this->Organ.Point();
-  this->Organ.Release(true);
+  this->Organ.SetRules({true, true, true});
+  this->Organ.Release();
   this->Arrive();
   EXPECT_LT(this->Error(larger), 0.1);
   EXPECT_NEAR(std::cbrt(this->Organ.Pose().linear().determinant()), 1.0 / 1.05, 1e-3);
@@ -101,7 +102,7 @@ TEST_F(HeldOrganTest, GoesToItsMatchWithoutAJump)
 {
   this->Take();
   this->Organ.Point();
-  this->Organ.Release(false);
+  this->Organ.Release();
   test::Settle(this->Jobs);
   ASSERT_EQ(this->Organ.Is(), Phase::Moving);
   EXPECT_EQ(this->Organ.Pose().matrix(), Eigen::Matrix4d::Identity());
@@ -132,6 +133,21 @@ TEST_F(HeldOrganTest, PointedOrganStaysBehindTheHand)
   EXPECT_NEAR(this->Organ.Middle().z(), way, 1e-9);
 }
 
+TEST_F(HeldOrganTest, ByItsRulesStaysWhereItIsLetGoAndIsNotFelt)
+{
+  this->Organ.SetRules({false, false, false});
+  this->Take(Eigen::Affine3d::Identity());
+  this->Organ.Point();
+  this->Organ.Move({0.0, 0.0, 4.0});
+  EXPECT_TRUE(this->Organ.Advance(0.0));
+  EXPECT_EQ(this->Organ.Pose().translation(), Vector3(0.0, 0.0, 4.0)) << "nothing resists";
+  this->Organ.Release();
+  EXPECT_EQ(this->Organ.Is(), Phase::Lying);
+  test::Settle(this->Jobs);
+  EXPECT_FALSE(this->Organ.Match());
+  EXPECT_EQ(this->Organ.Pose().translation(), Vector3(0.0, 0.0, 4.0));
+}
+
 TEST_F(HeldOrganTest, FieldIsWhatTheHeldOrganFeels)
 {
   this->Take();
@@ -159,13 +175,13 @@ TEST_F(HeldOrganTest, NothingIsHeldWithoutAnOrgan)
 {
   this->Organ.Point();
   this->Organ.Carry(Vector3::Zero());
-  this->Organ.Release(false);
+  this->Organ.Release();
   EXPECT_EQ(this->Organ.Is(), Phase::Absent);
   EXPECT_FALSE(this->Organ.Take({}, Ellipsoid(Eigen::Affine3d::Identity())).IsOk());
   EXPECT_EQ(this->Organ.Is(), Phase::Absent);
   this->Take();
   this->Organ.Point();
-  this->Organ.Release(false); // whose job is cancelled
+  this->Organ.Release(); // whose job is cancelled
   this->Organ.Leave();
   test::Settle(this->Jobs);
   EXPECT_EQ(this->Organ.Is(), Phase::Absent);

@@ -1,5 +1,8 @@
 #include "StudyMeasuring.h"
 
+#include "RadialModel.h"
+#include "SurfaceGeodesics.h"
+
 #include "Bodies.h"
 
 #include "vtkNew.h"
@@ -134,6 +137,40 @@ TEST_F(Measuring, SurfaceCurveIsAsLongAsTheArcs)
   EXPECT_EQ(this->Last().PointsWorld.size(), 3U);
   EXPECT_EQ(this->Last().StructureId, 1);
   EXPECT_EQ(this->Last().Name, "Curve on large, 1");
+}
+
+// A ball that is drawn as an icosahedron: the model counts, once a point is placed.
+TEST_F(Measuring, CurveOnAModelHasTheLengthOnTheModel)
+{
+  const auto ball = std::make_shared<const OrganModel>(
+      RadialModel(0, {Radius * std::sqrt(4.0 * M_PI)}, Vector3::Zero()));
+  vtkNew<vtkSphereSource> coarse;
+  coarse->SetRadius(Radius);
+  coarse->SetThetaResolution(6);
+  coarse->SetPhiResolution(5);
+  coarse->Update();
+  this->Surfaces.Show({{1, coarse->GetOutput()}}, {{1, ball}});
+  ASSERT_TRUE(this->Add(MeasurementKind::SurfaceCurve, {0.0, 0.0, Radius}).IsOk());
+  ASSERT_TRUE(this->Add(MeasurementKind::SurfaceCurve, {Radius, 0.0, 0.0}).IsOk());
+  const std::vector<Vector3> places = this->Last().PointsWorld;
+  SurfaceGeodesics same;
+  ASSERT_TRUE(SurfaceGeodesics::OfModel(*ball, same).IsOk());
+  SurfaceGeodesics::Length length;
+  ASSERT_TRUE(same.Find(places[0], places[1], {}, length).IsOk());
+  EXPECT_EQ(ValueOf(this->Last()), length.Along);
+  const double angle = std::acos(places[0].normalized().dot(places[1].normalized()));
+  EXPECT_NEAR(length.Along, Radius * angle, 1e-4 * Radius * angle) << "a great circle";
+  EXPECT_EQ(this->Last().PathWorld.size(), length.Points.size());
+  // As it is previewed, and goes on.
+  StudyMeasurement preview = this->Last();
+  ASSERT_TRUE(AddPoint(preview, {{0.0, Radius, 0.0}, 0}, this->Surfaces,
+                       MeasuredSurfaces::PathOn::Triangles)
+                  .IsOk());
+  const double drawn = *ValueOf(preview);
+  ASSERT_TRUE(this->Add(MeasurementKind::SurfaceCurve, {0.0, Radius, 0.0}).IsOk());
+  EXPECT_GT(*ValueOf(this->Last()), 1.01 * drawn) << "triangles are inside";
+  ASSERT_TRUE(same.Find(places[1], this->Last().PointsWorld[2], {}, length).IsOk());
+  EXPECT_NEAR(*ValueOf(this->Last()), Radius * angle + length.Along, 1e-4 * Radius);
 }
 
 TEST_F(Measuring, SurfaceCurveStaysOnItsSurface)

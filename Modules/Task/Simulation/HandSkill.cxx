@@ -23,6 +23,9 @@ HandSkill HandSkill::Novice()
   skill.SightDepthDeviation = 2.0;
   skill.PressDeviation = 0.2;
   skill.DriftDeviation = 0.8;
+  skill.SeenErrorDeviation = 0.6;
+  skill.PullDeviation = 1.0;
+  skill.SeenTurnDeviation = 3.0;
   skill.PerceptDeviation = 1.0;
   skill.Speed = 40.0;
   skill.FollowingSpeed = 15.0;
@@ -43,6 +46,9 @@ HandSkill HandSkill::Expert()
   skill.SightDepthDeviation = 1.0;
   skill.PressDeviation = 0.1;
   skill.DriftDeviation = 0.4;
+  skill.SeenErrorDeviation = 0.3;
+  skill.PullDeviation = 0.5;
+  skill.SeenTurnDeviation = 1.5;
   skill.PerceptDeviation = 1.0;
   return skill;
 }
@@ -75,6 +81,7 @@ HandSkill HandSkill::OnePerson(std::mt19937_64& random) const
   for (double HandSkill::*error :
        {&HandSkill::TremorPerNewton, &HandSkill::MovementDeviation, &HandSkill::AimDeviation,
         &HandSkill::SightDepthDeviation, &HandSkill::PressDeviation, &HandSkill::DriftDeviation,
+        &HandSkill::SeenErrorDeviation, &HandSkill::PullDeviation, &HandSkill::SeenTurnDeviation,
         &HandSkill::PerceptDeviation})
   {
     person.*error *= factor;

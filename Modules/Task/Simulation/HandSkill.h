@@ -21,6 +21,9 @@ struct PALPATETASK_EXPORT HandSkill
   double SightDepthDeviation = 0.0; ///< mm, of a seen place's depth
   double PressDeviation = 0.0;      ///< mm, of the depth of a press
   double DriftDeviation = 0.0;      ///< mm, while following a line
+  double SeenErrorDeviation = 0.0;  ///< mm, of a surface's distance from an edge as it is seen
+  double PullDeviation = 0.0;       ///< mm, of where a surface is let go
+  double SeenTurnDeviation = 0.0;   ///< degrees, of a body's turn as it is seen, each axis
   double PerceptDeviation = 0.0;    ///< of a felt force, just noticeable differences (7 %)
   double Speed = 60.0;              ///< mm/s, of movements
   double FollowingSpeed = 20.0;     ///< mm/s, along lines

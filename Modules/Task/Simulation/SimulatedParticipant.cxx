@@ -1,7 +1,14 @@
 #include "SimulatedParticipant.h"
 
+#include "BodyDocker.h"
 #include "ForcePerception.h"
-#include "InputError.h"
+#include "MaskPuller.h"
+#include "MaskTruth.h"
+#include "MeshConversion.h"
+#include "PoseMap.h"
+#include "Refusal.h"
+#include "SceneSurfaces.h"
+#include "TargetScene.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -15,8 +22,6 @@ namespace
 {
 constexpr double PressDepth = 3.0;      // mm; linear elasticity holds for a finger's size
 constexpr double PressSeconds = 0.2;    // of a press that is judged
-constexpr double Hover = 5.0;           // mm above what is approached
-constexpr double LongestReach = 15.0;   // mm
 constexpr double LightPress = 0.8;      // mm that a hand pushes into what it follows
 constexpr double SpacingOfSizing = 3.0; // mm
 constexpr int StepsOfSizing = 5;
@@ -43,11 +48,6 @@ double WidthAbove(const std::vector<double>& profile, double level, double spaci
 }
 } // namespace
 
-bool CanBeSimulated(TaskKind kind)
-{
-  return kind != TaskKind::Mask && kind != TaskKind::Dock;
-}
-
 TaskAnswer SimulatedParticipant::Do(TaskKind kind, const TaskTarget& target)
 {
   switch (kind)
@@ -60,10 +60,12 @@ TaskAnswer SimulatedParticipant::Do(TaskKind kind, const TaskTarget& target)
     return this->DrawOutline(target);
   case TaskKind::Path:
     return this->FollowPath(target);
-  default:
-    throw InputError("a task of the kind " + NameOf(kind) +
-                     " needs a mode of the window and cannot be simulated; run it with people.");
+  case TaskKind::Mask:
+    return this->CorrectMask(target);
+  case TaskKind::Dock:
+    return this->DockBody(target);
   }
+  return {};
 }
 
 // 0 where there is nothing to press, and once the trial is over.
@@ -79,11 +81,11 @@ double SimulatedParticipant::Press(const TaskTarget& target, const FreePlace& pl
   {
     return 0.0;
   }
-  this->Hand.MoveTo(rest->ToolWorld + Hover * rest->NormalWorld);
-  this->Hand.PressTo(PressDepth, -rest->NormalWorld, LongestReach + Hover);
+  this->Hand.MoveTo(rest->ToolWorld + TaskHand::Hover * rest->NormalWorld);
+  this->Hand.PressTo(PressDepth, -rest->NormalWorld, TaskHand::LongestReach + TaskHand::Hover);
   const double force = this->Hand.PerceiveForce(PressSeconds);
   this->Pressed = this->Hand.TipWorld();
-  this->Hand.MoveTo(rest->ToolWorld + Hover * rest->NormalWorld);
+  this->Hand.MoveTo(rest->ToolWorld + TaskHand::Hover * rest->NormalWorld);
   return force;
 }
 
@@ -147,12 +149,12 @@ Vector3 SimulatedParticipant::Mark(const Vector3& pointWorld)
   const Vector3 normal = rest ? rest->NormalWorld : outwards;
   const Vector3 seen = this->Hand.See(pointWorld, normal);
   const double radius = this->Hand.ToolRadius();
-  const Vector3 over = seen + (radius + Hover) * normal;
+  const Vector3 over = seen + (radius + TaskHand::Hover) * normal;
   this->Hand.TravelTo(over);
   this->Hand.MoveTo(over); // corrects what is seen of the long movement's error
   if (this->Hand.HasForce())
   {
-    this->Hand.ReachForContact(-normal, LongestReach);
+    this->Hand.ReachForContact(-normal, TaskHand::LongestReach);
   }
   else
   {
@@ -192,5 +194,33 @@ TaskAnswer SimulatedParticipant::FollowPath(const TaskTarget& target)
   this->Hand.TravelTo(line.front());
   this->Hand.Follow(line, true);
   return {this->Hand.Watched().Trace()};
+}
+
+TaskAnswer SimulatedParticipant::CorrectMask(const TaskTarget& target)
+{
+  CorrectedShape mask = ReadWrongMask(target, this->Scene);
+  const ComparedBody truth = ReadTrueMask(target, this->Scene);
+  MaskPuller(this->Hand, this->Skill, truth).Correct(mask);
+  return MaskAnswer(mask, truth);
+}
+
+TaskAnswer SimulatedParticipant::DockBody(const TaskTarget& target)
+{
+  CheckTarget(TaskKind::Dock, target, this->Scene);
+  SceneSettings bodies = this->Scene;
+  bodies.Structures.resize(2);
+  const auto surfaces = DisplayedSurfaces(bodies, [](double, const std::string&) { return true; });
+  const IndexedMesh place = ToIndexedMesh(surfaces.back());
+  HeldFit fit;
+  RequireInput(
+      HeldFit::Make(ToIndexedMesh(surfaces.front()), place, HeldFitSettings::ForHand(place), fit),
+      target.Scene.string());
+  const Vector3& center = target.Points.front().PointWorld;
+  BodyDocker docker(this->Hand, this->Skill, std::make_shared<const HeldFit>(std::move(fit)));
+  const TaskPose pose = PoseOf(docker.Dock(MapOf(target.Pose, center)), center);
+  TaskAnswer answer;
+  answer.Shift = pose.Shift;
+  answer.Turn = pose.Turn;
+  return answer;
 }
 } // namespace palpate

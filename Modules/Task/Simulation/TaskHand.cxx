@@ -56,8 +56,8 @@ double LeastJerk(double part)
 
 TaskHand::TaskHand(const PreparedTouch& touch, const TaskSettings& task, bool hasForce,
                    const HandSkill& skill, const Vector3& from, std::uint64_t seed)
-    : Skill(skill), FeelsForce(hasForce), Random(seed), Tremor(touch.Settings.Rate),
-      SceneCenter(touch.Scene->BoundsWorld().center()),
+    : Skill(skill), First(touch.Scene), FeelsForce(hasForce), Random(seed),
+      Tremor(touch.Settings.Rate), SceneCenter(touch.Scene->BoundsWorld().center()),
       SceneRadius(0.5 * touch.Scene->BoundsWorld().diagonal().norm() +
                   touch.Scene->Tool.BoundingRadius() + Margin),
       Radius(touch.Scene->Tool.BoundingRadius()), Period(1.0 / touch.Settings.Rate),
@@ -76,6 +76,12 @@ TaskHand::TaskHand(const PreparedTouch& touch, const TaskSettings& task, bool ha
   {
     this->Session.Loop().SwitchOff();
   }
+}
+
+void TaskHand::Feel(TouchScene scene)
+{
+  RequireInput(
+      this->Session.Publish(std::move(scene), this->Session.Frame(), SceneEntry::Continuing));
 }
 
 Vector3 TaskHand::Errors(double deviation)

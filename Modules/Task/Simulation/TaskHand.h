@@ -11,6 +11,7 @@
 #include "TouchSession.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <random>
 #include <vector>
@@ -26,6 +27,9 @@ namespace palpate
 class PALPATETASK_EXPORT TaskHand
 {
 public:
+  static constexpr double Hover = 5.0;         ///< mm above what is approached
+  static constexpr double LongestReach = 15.0; ///< mm, for a contact
+
   /// Starts outside of the scene, towards `from` (unit) from its centre. Keeps the addresses.
   /// Throws InputError if the scene cannot be touched.
   TaskHand(const PreparedTouch& touch, const TaskSettings& task, bool hasForce,
@@ -57,7 +61,16 @@ public:
   /// A place as it is seen: errors along the surface, and in depth along the normal.
   Vector3 See(const Vector3& pointWorld, const Vector3& normal);
 
+  /// From now on this scene is felt, with the tool where it is.
+  void Feel(TouchScene scene);
+  const TouchScene& Scene() const { return *this->Session.Scene(); }
+  /// That the hand began with.
+  const TouchScene& FirstScene() const { return *this->First; }
+
   bool HasForce() const { return this->FeelsForce; }
+  /// Where the hand has the tool, whatever holds it.
+  Vector3 ProbeWorld() const { return Vector3(this->Now.ProbeWorld); }
+  Vector3 AimWorld() const { return this->Aim; }
   Vector3 TipWorld() const { return this->Watch.TipWorld(this->Now); }
   const TaskWatch& Watched() const { return this->Watch; }
   const Vector3& Center() const { return this->SceneCenter; }
@@ -68,6 +81,7 @@ private:
   bool Tick(const Vector3& aimWorld);
 
   HandSkill Skill;
+  std::shared_ptr<const TouchScene> First;
   bool FeelsForce;
   std::mt19937_64 Random;
   std::normal_distribution<double> Normal;

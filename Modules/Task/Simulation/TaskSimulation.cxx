@@ -62,7 +62,8 @@ void SimulateTrial(const TaskSettings& task, const TaskSimulation& simulation, i
   run.Start();
   TaskHand hand(touch, task, task.Conditions[run.Trial()->Condition].HasForce, skill,
                 target.Side.normalized(), seed);
-  const TaskAnswer answer = SimulatedParticipant(hand, skill, seed).Do(task.Kind, target);
+  const TaskAnswer answer =
+      SimulatedParticipant(hand, skill, seed, touch.Settings).Do(task.Kind, target);
   run.End(answer, hand.Watched().Measured());
 }
 } // namespace
@@ -70,11 +71,6 @@ void SimulateTrial(const TaskSettings& task, const TaskSimulation& simulation, i
 void SimulateTask(const TaskSettings& task, const TaskSimulation& simulation,
                   const std::filesystem::path& folder, const ProgressFunction& progress)
 {
-  if (!CanBeSimulated(task.Kind))
-  {
-    throw InputError("a task of the kind " + NameOf(task.Kind) +
-                     " needs a mode of the window and cannot be simulated; run it with people.");
-  }
   TaskScenes scenes;
   for (int number = 1; number <= simulation.Participants; ++number)
   {

@@ -19,8 +19,8 @@ struct TaskSimulation
 };
 
 /// Simulates every trial of every participant by the servo, in virtual time, and writes their logs
-/// (TaskRun) into an existing folder; resumes those that are there. Throws InputError for a kind
-/// that cannot be simulated, scenes that cannot be touched and logs of something else, FilterError
+/// (TaskRun) into an existing folder; resumes those that are there. Throws InputError for
+/// scenes that cannot be touched and logs of something else, FilterError
 /// and Cancelled.
 PALPATETASK_EXPORT void SimulateTask(const TaskSettings& task, const TaskSimulation& simulation,
                                      const std::filesystem::path& folder,

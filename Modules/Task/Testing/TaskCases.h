@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ImageWriter.h"
+#include "LabelImages.h"
 #include "ModelFile.h"
 #include "RadialModel.h"
 #include "TaskConduct.h"
@@ -7,6 +9,7 @@
 #include "TaskRun.h"
 #include "TaskSettings.h"
 #include "TemporaryFolder.h"
+#include "TransformFile.h"
 
 #include <cmath>
 #include <filesystem>
@@ -27,6 +30,36 @@ inline std::filesystem::path WriteBall(const TemporaryFolder& folder)
                "structures": [{"file": "ball.json", "stiffness_n_per_mm": 1}],
                "tool": {"shape": "sphere", "radius_mm": 1}, "placement": {"scale": 1}})");
   return folder / "ball.scene.json";
+}
+
+/// A ball of 12 mm around the origin whose back (y above 7 mm) is missing, in a scene, and the
+/// whole one: start.nii.gz, true.nii.gz. Returns the scene's file.
+inline std::filesystem::path WriteWrongMask(const TemporaryFolder& folder)
+{
+  LabelGrid grid;
+  grid.Size = {{40, 40, 40}};
+  grid.CenterOnOrigin();
+  const auto isInBall = [](double x, double y, double z) { return std::hypot(x, y, z) < 12.0; };
+  WriteImage(folder / "true.nii.gz", MakeLabelImage(grid, isInBall));
+  WriteImage(folder / "start.nii.gz", MakeLabelImage(grid, [&](double x, double y, double z)
+                                                     { return isInBall(x, y, z) && y < 7.0; }));
+  WriteAll(folder / "mask.scene.json",
+           R"({"format": "palpate-scene",
+               "structures": [{"file": "start.nii.gz", "label": 1}],
+               "tool": {"shape": "sphere", "radius_mm": 1}, "placement": {"scale": 1}})");
+  return folder / "mask.scene.json";
+}
+
+/// The ball of WriteBall, which has to be there, and one moved by `way` (mm), in a scene.
+inline std::filesystem::path WriteTwoBalls(const TemporaryFolder& folder, const Vector3& way)
+{
+  WriteTransform(folder / "place.tfm", Eigen::Affine3d(Eigen::Translation3d(way)));
+  WriteAll(folder / "dock.scene.json",
+           R"({"format": "palpate-scene",
+               "structures": [{"file": "ball.json"},
+                              {"file": "ball.json", "transform": "place.tfm"}],
+               "tool": {"shape": "sphere", "radius_mm": 1}, "placement": {"scale": 1}})");
+  return folder / "dock.scene.json";
 }
 
 /// A target of every kind with an answer that everything is right in.

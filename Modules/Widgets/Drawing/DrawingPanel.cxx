@@ -3,6 +3,7 @@
 #include "CompletionFiles.h"
 #include "PlainLabel.h"
 #include "Refusal.h"
+#include "SceneTool.h"
 #include "ScreenString.h"
 #include "Segmentation.h"
 #include "SidedLength.h"
@@ -355,14 +356,16 @@ void DrawingPanel::Clear()
 void DrawingPanel::Import()
 {
   const QStringList files =
-      this->Questions.ToOpen(this, "Import touches", "Touches (*.csv *.mrk.json *.fcsv)");
+      this->Questions.ToOpen(this, "Import touches", "Touches (*.csv *.mrk.json *.fcsv *.touch)");
   this->Study.Try(
       [&]
       {
         StudyDrawing drawing = this->Study.State().Drawing;
         for (const QString& file : files)
         {
-          RequireInput(AddTouches(drawing, ReadTouchedPoints(file.toStdString(), drawing.Sigma)));
+          const double radius = MakeTool(this->Study.State().Tool).BoundingRadius();
+          RequireInput(
+              AddTouches(drawing, ReadTouchedPoints(file.toStdString(), drawing.Sigma, radius)));
         }
         this->Change("Import touches", drawing);
       });

@@ -255,7 +255,7 @@ void MatchingLink::FollowTouch()
 
 void MatchingLink::Release()
 {
-  this->Held.Release(this->ChangesSize);
+  this->Held.Release();
   this->Advance();
 }
 

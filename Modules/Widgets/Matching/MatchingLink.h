@@ -34,8 +34,10 @@ public:
   const MatchChoice& Choice() const { return this->Chosen; }
   /// Another choice puts the organ back.
   void Choose(const MatchChoice& choice);
-  /// Whether a match may change the size.
-  void ChangeSize(bool isChanged) { this->ChangesSize = isChanged; }
+  ///@{ What happens to the organ when it is held and let go.
+  const HoldRules& Rules() const { return this->Held.Rules(); }
+  void SetRules(const HoldRules& rules) { this->Held.SetRules(rules); }
+  ///@}
   /// Puts the organ back where it was.
   void PutBack();
   /// See WriteMatch; an undo step.
@@ -68,7 +70,6 @@ private:
   QAction* Holding;
   HeldOrgan Held;
   MatchChoice Chosen;
-  bool ChangesSize = false;
   vtkSmartPointer<vtkPolyData> Moving; // where they were taken
   vtkSmartPointer<vtkPolyData> Fixed;
   Vector3 Last = Vector3::Zero(); // of the pointer, world, mm

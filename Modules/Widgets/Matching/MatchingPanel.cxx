@@ -50,7 +50,12 @@ MatchingPanel::MatchingPanel(StudyController& study, const ViewContents& content
   connect(this->Tool, &QPushButton::clicked, link.HoldTool(), &QAction::setChecked);
   connect(link.HoldTool(), &QAction::toggled, this->Tool, &QPushButton::setChecked);
   connect(this->Size, &QCheckBox::toggled, this,
-          [this](bool isOn) { this->Link.ChangeSize(isOn); });
+          [this](bool isOn)
+          {
+            HoldRules rules = this->Link.Rules();
+            rules.ChangesSize = isOn;
+            this->Link.SetRules(rules);
+          });
   connect(this->Back, &QPushButton::clicked, this, [this] { this->Link.PutBack(); });
   connect(this->Keeping, &QPushButton::clicked, this, &MatchingPanel::Keep);
   connect(&link, &MatchingLink::Changed, this, &MatchingPanel::Show);

@@ -1,9 +1,7 @@
 #include "OutlineActivity.h"
 
+#include "ActivityRow.h"
 #include "SurfaceCut.h"
-
-#include <QHBoxLayout>
-#include <QLabel>
 
 namespace palpate
 {
@@ -33,18 +31,11 @@ Vector3 OutlineNormal(const std::vector<TaskPoint>& points)
 
 OutlineActivity::OutlineActivity(const TrialPlace& place, QWidget* strip)
     : TrialActivity(strip), Study(place.Study), Contents(place.Contents), Drawing(place.Drawing),
-      Target(place.Target), Back(new QPushButton("Undo", this))
+      Target(place.Target)
 {
-  this->Back->setObjectName("task-undo");
-  this->Back->setFocusPolicy(Qt::NoFocus);
-  auto* line = new QLabel("Drag along the edge in the slice, click on it, or touch it with the "
-                          "tool: the yellow line is your outline.",
-                          this);
-  line->setWordWrap(true);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(line, 1);
-  row->addWidget(this->Back);
+  this->Back = ActivityRow(*this, "Drag along the edge in the slice, click on it, or touch it with "
+                                  "the tool: the yellow line is your outline.")
+                   .AddButton("Undo", "task-undo");
   connect(this->Back, &QPushButton::clicked, &place.Study, &StudyController::Undo);
 }
 

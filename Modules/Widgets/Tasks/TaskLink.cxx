@@ -161,12 +161,6 @@ void TaskLink::Open(const std::filesystem::path& file)
       [&]
       {
         const TaskSettings task = ReadTask(file);
-        if (!HasTrialActivity(task.Kind))
-        {
-          throw InputError("a task of the kind " + NameOf(task.Kind) +
-                           " is not run in the window yet; check, plan and score it by palpate "
-                           "task.");
-        }
         auto* form = new TaskForm(task, StudyPath(file).parent_path() / "results",
                                   this->Study.State().Device, this->Around.Questions,
                                   this->Between->window());
@@ -309,7 +303,9 @@ void TaskLink::Start()
         }
         this->Activity = MakeTrialActivity(
             this->Task.Kind,
-            {this->Study, this->Around.Contents, this->Around.Drawing, this->Target()}, this->Over);
+            {this->Study, this->Around.Contents, this->Around.Drawing, this->Around.Correcting,
+             this->Around.Matching, this->Target(), this->Condition().HasForce},
+            this->Over);
         this->Over->Show(this->ProgressText(), this->Activity);
         this->Over->ShowTime("Getting ready...");
         this->Over->show();
@@ -439,7 +435,7 @@ void TaskLink::BeginTrial()
   this->ShowTime();
 }
 
-// Forces are off before anything is written.
+// Forces are off before anything is measured or written.
 void TaskLink::EndTrial()
 {
   if (this->Now != Phase::Running)
@@ -448,7 +444,6 @@ void TaskLink::EndTrial()
   }
   this->Now = Phase::Resting; // the end of the touch does not interrupt it
   TaskConduct conduct = this->Watch->Measured();
-  const TaskAnswer answer = this->Activity->Answer();
   if (conduct.End == TaskEnd::Done && !this->Activity->HasAnswer())
   {
     conduct.End = TaskEnd::GivenUp;
@@ -461,7 +456,7 @@ void TaskLink::EndTrial()
   const bool wasTraining = this->Run->Trial()->IsTraining;
   try
   {
-    const bool isSuccess = this->Run->End(answer, conduct).IsSuccess;
+    const bool isSuccess = this->Run->End(this->Activity->Answer(), conduct).IsSuccess;
     told += !wasTraining ? ""
             : isSuccess  ? " The training was within the tolerance."
                          : " The training was not within the tolerance.";

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "CorrectionLink.h"
 #include "DrawingLink.h"
 #include "FileQuestions.h"
+#include "MatchingLink.h"
 #include "StudyController.h"
 #include "TaskForm.h"
 #include "TaskPage.h"
@@ -28,6 +30,8 @@ struct TaskSurroundings
   ViewContents& Contents;
   ViewGrid& Views;
   DrawingLink& Drawing;
+  CorrectionLink& Correcting;
+  MatchingLink& Matching;
   std::function<void(bool isOn)> ShowHandOnly; ///< see TouchLink
   std::function<bool()> MayLeave;              ///< asks whether to save what is open
 };

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "CorrectionLink.h"
 #include "DrawingLink.h"
+#include "MatchingLink.h"
 #include "StudyController.h"
 #include "TaskConduct.h"
 #include "TaskSettings.h"
@@ -17,7 +19,10 @@ struct TrialPlace
   StudyController& Study;
   ViewContents& Contents;
   DrawingLink& Drawing;
+  CorrectionLink& Correcting;
+  MatchingLink& Matching;
   const TaskTarget& Target;
+  bool HasForce;
 };
 
 /// What a participant does in a trial of one kind: what the views show for it, its controls in the
@@ -35,14 +40,12 @@ public:
   virtual void Take(const TouchState& newest, TaskWatch& watch) = 0;
   /// Otherwise the trial is given up.
   virtual bool HasAnswer() const = 0;
+  /// Throws InputError if its files cannot be read any more.
   virtual TaskAnswer Answer() const = 0;
   /// Whether the trial ends by itself.
   virtual bool IsDone() const { return false; }
 };
 
-/// Whether the window runs a kind. To add one, add its activity to the table in the source file.
-bool HasTrialActivity(TaskKind kind);
-
-/// A child of `strip`; null for a kind that the window does not run.
+/// A child of `strip`. To add a kind, add its activity to the table in the source file.
 TrialActivity* MakeTrialActivity(TaskKind kind, const TrialPlace& place, QWidget* strip);
 } // namespace palpate

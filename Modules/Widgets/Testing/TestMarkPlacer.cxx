@@ -1,3 +1,6 @@
+#include "BodyGeodesics.h"
+#include "FitResult.h"
+#include "ModelFile.h"
 #include "WindowTest.h"
 
 #include <QComboBox>
@@ -42,6 +45,19 @@ protected:
     }
     ASSERT_EQ(next->currentText().toStdString(), NameOf(kind));
     DrawAll(*this->Window->Views());
+  }
+  // What `palpate measure` finds between the curve's ends, on the saved model.
+  double AlongModel(const StudyMeasurement& curve) const
+  {
+    const auto fit =
+        this->Study->Current().Pipeline().Newest<FitResult>(SceneStep::Model, curve.StructureId);
+    const std::filesystem::path file = this->Phantom.Folder / "sphere.json";
+    WriteModel(file, {fit->Model, {}});
+    const ComparedFile saved = ComparedFile::Read(file, {});
+    return BodyGeodesics(saved, saved.Structures().front())
+        .Find(curve.PointsWorld.front(), curve.PointsWorld.back(),
+              [](double, const std::string&) { return true; })
+        .Along;
   }
   SlicePane* Axial() const { return this->Window->Views()->Slice(SliceOrientation::Axial); }
   // In an axial slice, mm from its middle.
@@ -165,6 +181,7 @@ TEST_F(MarkPlacerTest, CurveOverTheSphereIsAnArc)
   EXPECT_GT(arc, 8.0);
   EXPECT_NEAR(*ValueOf(curve), arc, 0.05 * arc) << "a model of voxels of 1 mm";
   EXPECT_GT(*ValueOf(curve), (curve.PointsWorld[1] - curve.PointsWorld[0]).norm());
+  EXPECT_NEAR(*ValueOf(curve), this->AlongModel(curve), 1e-9) << "as palpate measure has it";
   this->Button("end-curve")->click();
   this->Show("arc.png");
   EXPECT_FALSE(this->Measured()[0].IsOpen);

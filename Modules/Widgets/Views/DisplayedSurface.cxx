@@ -43,11 +43,18 @@ bool WantsField(const SceneStructure& structure)
          (structure.Appearance == SceneAppearance::Automatic && isFelt);
 }
 
+std::shared_ptr<const FitResult> ModelOf(const StudyPipeline& pipeline,
+                                         const SceneStructure& structure)
+{
+  auto model = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
+  const bool isDrawn = WantsModel(structure) && model != nullptr &&
+                       model->ModelSurface != nullptr && model->State == FitResult::Outcome::Fitted;
+  return isDrawn ? model : nullptr;
+}
+
 vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const SceneStructure& structure)
 {
-  const auto model = pipeline.Newest<FitResult>(SceneStep::Model, structure.Id);
-  if (WantsModel(structure) && model != nullptr && model->ModelSurface != nullptr &&
-      model->State == FitResult::Outcome::Fitted)
+  if (const auto model = ModelOf(pipeline, structure))
   {
     return model->ModelSurface;
   }

@@ -14,6 +14,10 @@ struct FitResult;
 /// Whether to display the field of a structure, if there is one.
 bool WantsField(const SceneStructure& structure);
 
+/// The model whose drawing is displayed, or null.
+std::shared_ptr<const FitResult> ModelOf(const StudyPipeline& pipeline,
+                                         const SceneStructure& structure);
+
 /// The displayed surface of a structure: its model if wanted, else the surface of its mask; null if
 /// there is none yet.
 vtkPolyData* SurfaceOf(const StudyPipeline& pipeline, const SceneStructure& structure);

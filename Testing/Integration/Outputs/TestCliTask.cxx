@@ -61,7 +61,6 @@ TEST_F(CliTask, EveryReadyTaskCanBeReadAndPlanned)
     // It isn't replaced.
     this->Run({"init", kind, "--output", kind}, 2);
   }
-  this->Run({"simulate", "dock/task.json", "--output", "simulated"}, 2);
 }
 
 // One of 12 mm, of 80 kPa in 20 kPa and 2 mm under the surface, is well above what is noticed.

@@ -2,7 +2,7 @@
 
 #include "ForceField.h"
 #include "HeldFit.h"
-#include "PalpateStudyModule.h"
+#include "PalpateSceneModule.h"
 
 #include <memory>
 
@@ -10,7 +10,7 @@ namespace palpate
 {
 /// What a device's hand feels that holds an organ: the organ moves as the tool does, without
 /// turning, and its fit to another surface gives the force (HeldFit). Immutable.
-class PALPATESTUDY_EXPORT HeldField final : public ForceField
+class PALPATESCENE_EXPORT HeldField final : public ForceField
 {
 public:
   /// `pose` is the organ's where the tool is at `toolWorld` (mm).
