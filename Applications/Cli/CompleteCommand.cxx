@@ -7,6 +7,7 @@
 #include "FiniteNumber.h"
 #include "InputError.h"
 #include "Interruption.h"
+#include "KnownOrgan.h"
 #include "OutputFolder.h"
 #include "ProgramVersion.h"
 #include "Refusal.h"
@@ -19,6 +20,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 namespace palpate::cli
 {
@@ -34,18 +36,19 @@ std::string PlaceText(const Vector3& place)
 std::string TextOf(const CompletedOrgan& organ)
 {
   TextTable table;
-  table.AddRow({"touches", std::to_string(organ.Touches) + ", RMS " + FixedText(organ.Distance, 2) +
-                               " mm from the surface (limit " +
-                               FixedText(organ.LargestDistance, 2) + ")"});
-  table.AddRow({"prior", organ.PriorCases > 0 ? std::to_string(organ.PriorCases) + " cases"
-                                              : "smoothness alone"});
-  table.AddRow({"centre", PlaceText(organ.Model.CenterWorld()) + " mm"});
+  table.AddRow({"touches", std::to_string(organ.Touches) + ", RMS " +
+                               FixedText(organ.Found.Distance, 2) + " mm from the surface (limit " +
+                               FixedText(organ.Found.LargestDistance, 2) + ")"});
+  table.AddRow({"prior", organ.Found.PriorCases > 0
+                             ? std::to_string(organ.Found.PriorCases) + " cases"
+                             : "smoothness alone"});
+  table.AddRow({"centre", PlaceText(CenterOf(organ.Found.Model)) + " mm"});
   table.AddRow({"volume", FixedText(organ.Milliliters, 1) + " ml"});
   table.AddRow({"standard deviation", "RMS " + FixedText(organ.MeanDeviation, 2) + ", largest " +
                                           FixedText(organ.LargestDeviation, 2) + " mm"});
-  for (std::size_t n = 0; n < organ.Next.size(); ++n)
+  for (std::size_t n = 0; n < organ.Found.Next.size(); ++n)
   {
-    table.AddRow({n == 0 ? "touch next" : "", PlaceText(organ.Next[n]) + " mm"});
+    table.AddRow({n == 0 ? "touch next" : "", PlaceText(organ.Found.Next[n]) + " mm"});
   }
   return table.Text();
 }
@@ -57,6 +60,8 @@ std::string CompleteCommand::Examples() const
          "  palpate complete touched.mrk.json --prior prior.json --output out\n"
          "  palpate complete touched.csv --prior prior.json --grid t2.nii.gz --output out\n"
          "                                                       also as a mask\n"
+         "  palpate complete touched.csv --prior zone.json --known gland/model.json --output out\n"
+         "                                                       an organ in or at a known one\n"
          "  palpate complete --prior prior.json --center 2,-10,31   where to touch first";
 }
 
@@ -73,6 +78,16 @@ void CompleteCommand::DeclareOptions(CLI::App& app)
                  "smooth)")
       ->type_name("FILE")
       ->check(FileType::Input("file", ".json"));
+  CLI::Option* known =
+      app.add_option("--known", this->Inputs.Known,
+                     "The other organ that a prior of cohort --known relates to: its model, or a "
+                     "segmentation")
+          ->type_name("FILE")
+          ->check(FileType::Input("label"));
+  app.add_option("--known-label", this->KnownLabel,
+                 "Structure of --known, by number or name, if there are several")
+      ->type_name("N|NAME")
+      ->needs(known);
   app.add_option("--sigma", this->Inputs.Sigma,
                  "Standard deviation of a touched point from the surface, mm")
       ->type_name("MM")
@@ -85,7 +100,8 @@ void CompleteCommand::DeclareOptions(CLI::App& app)
   app.add_option("--center", this->Center,
                  "A point near the organ's centre, mm, patient LPS (default: the middle of the "
                  "points)")
-      ->type_name("X,Y,Z");
+      ->type_name("X,Y,Z")
+      ->excludes(known);
   app.add_option("--grid", this->Grid, "Image on whose voxels mask.nii.gz is written, too")
       ->type_name("IMAGE")
       ->check(FileType::Input("image"));
@@ -99,32 +115,35 @@ void CompleteCommand::DeclareOptions(CLI::App& app)
   app.add_flag("--json", this->Json, "Print one JSON object");
 }
 
-std::unique_ptr<ShapeCompletion> CompleteCommand::Complete(std::size_t& count) const
+OrganCompletion CompleteCommand::Complete(std::size_t& count) const
 {
-  std::vector<SurfaceTouch> touches;
+  CompletionRequest request;
+  request.Frequency = CompletedOrgan::Frequency;
+  request.NextCount = NextTouchCount;
   if (!this->Inputs.Points.empty())
   {
-    touches = ReadTouchedPoints(this->Inputs.Points, this->Inputs.Sigma, this->ToolRadius);
+    request.Touches = ReadTouchedPoints(this->Inputs.Points, this->Inputs.Sigma, this->ToolRadius);
   }
-  std::optional<Vector3> center;
   if (!this->Center.empty())
   {
-    center = ParseVector("--center", this->Center);
+    request.ClickWorld = ParseVector("--center", this->Center);
   }
-  if (touches.empty() && !center)
+  if (request.Touches.empty() && !request.ClickWorld && this->Inputs.Known.empty())
   {
     throw InputError("there are no touched points; give a file of them, or --center to learn where "
                      "to touch first");
   }
-  std::shared_ptr<const ShapePrior> prior;
   if (!this->Inputs.Prior.empty())
   {
-    prior = std::make_shared<const ShapePrior>(ReadShapePrior(this->Inputs.Prior));
+    request.Prior = ReadOrganPrior(this->Inputs.Prior);
   }
-  std::unique_ptr<ShapeCompletion> made;
-  RequireInput(CompleteSurface(touches, std::move(prior), center, made),
-               this->Inputs.Points.string());
-  count = touches.size();
+  if (!this->Inputs.Known.empty())
+  {
+    request.Known = ReadKnownOrgan(this->Inputs.Known, this->KnownLabel, this->Images.Choice());
+  }
+  OrganCompletion made;
+  RequireInput(CompleteOrgan(request, made), this->Inputs.Points.string());
+  count = request.Touches.size();
   return made;
 }
 
@@ -144,14 +163,14 @@ int CompleteCommand::Run(Console& console)
     this->Inputs.Grid = ReadVolume(this->Grid, this->Images.Choice()).Image;
   }
   std::size_t count = 0;
-  const std::unique_ptr<ShapeCompletion> completion = this->Complete(count);
-  if (const Status status = completion->Judge(); !status.IsOk())
+  OrganCompletion completion = this->Complete(count);
+  if (!completion.Judgement.IsOk())
   {
-    console.Error(this->Inputs.Points.string() + ": " + status.Message() +
+    console.Error(this->Inputs.Points.string() + ": " + completion.Judgement.Message() +
                   "; outline it and use palpate fit");
     return 1;
   }
-  const CompletedOrgan organ = CompletedOrgan::Of(*completion, count, NextTouchCount);
+  const CompletedOrgan organ = CompletedOrgan::Of(std::move(completion), count);
   if (!this->Output.empty())
   {
     WriteCompletionFiles(organ, this->Inputs, this->Output, ProgramVersion());

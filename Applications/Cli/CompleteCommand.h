@@ -5,7 +5,6 @@
 #include "ImageOptions.h"
 
 #include <filesystem>
-#include <memory>
 #include <string>
 
 namespace palpate::cli
@@ -24,11 +23,12 @@ public:
   int Run(Console& console) override;
 
 private:
-  std::unique_ptr<ShapeCompletion> Complete(std::size_t& count) const;
+  OrganCompletion Complete(std::size_t& count) const;
 
   CompletionInputs Inputs;
   std::string Center;
   double ToolRadius = 0.0; // mm
+  std::string KnownLabel;
   std::filesystem::path Grid;
   ImageOptions Images;
   std::filesystem::path Output;

@@ -1,7 +1,6 @@
 #include "ModelHandle.h"
 
 #include "BatchEvaluation.h"
-#include "DeviationMap.h"
 #include "ErrorText.h"
 #include "GridArgument.h"
 #include "IcosahedronDirections.h"
@@ -113,26 +112,45 @@ int Nearest(const Search& search, const Vector3& query, double point[3], double 
 }
 
 constexpr int DeviationFrequency = 8;
-constexpr int CandidateFrequency = 6;
 constexpr int NextPlaces = 6;
 
-void DescribeCompletion(const ShapeCompletion& completion, double* deviations, double* next)
+std::vector<SurfaceTouch> TouchesOf(const double* points, const double* normals,
+                                    const int32_t* strokes, const uint8_t* outside,
+                                    std::size_t count, double sigma)
 {
-  if (deviations != nullptr)
+  std::vector<SurfaceTouch> touches(count);
+  for (std::size_t n = 0; n < count; ++n)
   {
-    const Eigen::VectorXd found =
-        DeviationMap(completion.Prior(), DeviationFrequency).Evaluate(completion);
-    std::copy(found.begin(), found.end(), deviations);
-  }
-  if (next != nullptr)
-  {
-    for (const Vector3& place :
-         DeviationMap(completion.Prior(), CandidateFrequency).NextTouches(completion, NextPlaces))
+    touches[n] = {VectorOf(points + 3 * n), sigma};
+    touches[n].Stroke = strokes != nullptr ? strokes[n] : 0;
+    touches[n].IsOutside = outside != nullptr && outside[n] != 0;
+    if (normals != nullptr && VectorOf(normals + 3 * n) != Vector3::Zero())
     {
-      Copy(place, next);
-      next += 3;
+      touches[n].Normal = VectorOf(normals + 3 * n);
     }
   }
+  return touches;
+}
+
+Status Complete(CompletionRequest& request, const char* prior, const palpate_model* known,
+                OrganCompletion& made)
+{
+  if (prior != nullptr)
+  {
+    request.Prior = ReadOrganPrior(prior);
+  }
+  if (known != nullptr)
+  {
+    request.Known.emplace();
+    if (Status status = FindLogSurface(known->Document.Surface, *request.Known); !status.IsOk())
+    {
+      return Status::Failure("the known organ " + status.Message());
+    }
+  }
+  request.Frequency = DeviationFrequency;
+  request.NextCount = NextPlaces;
+  Status status = CompleteOrgan(request, made);
+  return status.IsOk() ? made.Judgement : status;
 }
 } // namespace
 } // namespace palpate
@@ -253,43 +271,44 @@ palpate_model* palpate_complete(const double* points, const double* normals, con
                                 double sigma, const double center[3], double* deviations,
                                 double* next, palpate_error* error)
 {
+  return palpate_complete_organ(points, normals, strokes, outside, count, prior, sigma, center,
+                                nullptr, deviations, next, error);
+}
+
+palpate_model* palpate_complete_organ(const double* points, const double* normals,
+                                      const int32_t* strokes, const uint8_t* outside, size_t count,
+                                      const char* prior, double sigma, const double center[3],
+                                      const palpate_model* known, double* deviations, double* next,
+                                      palpate_error* error)
+{
   return Guarded(error, {{points, "points", count}},
                  [&]() -> palpate_model*
                  {
-                   if (count > ShapeCompletion::MostTouches)
+                   if (count > SurfaceTouch::Most)
                    {
                      SetError(error, "there are more than 1,000 touched points");
                      return nullptr;
                    }
-                   std::vector<SurfaceTouch> touches(count);
-                   for (std::size_t n = 0; n < count; ++n)
-                   {
-                     touches[n] = {VectorOf(points + 3 * n), sigma};
-                     touches[n].Stroke = strokes != nullptr ? strokes[n] : 0;
-                     touches[n].IsOutside = outside != nullptr && outside[n] != 0;
-                     if (normals != nullptr && VectorOf(normals + 3 * n) != Vector3::Zero())
-                     {
-                       touches[n].Normal = VectorOf(normals + 3 * n);
-                     }
-                   }
-                   std::shared_ptr<const ShapePrior> given;
-                   if (prior != nullptr)
-                   {
-                     given = std::make_shared<const ShapePrior>(ReadShapePrior(prior));
-                   }
-                   std::optional<Vector3> click;
+                   CompletionRequest request;
+                   request.Touches = TouchesOf(points, normals, strokes, outside, count, sigma);
                    if (center != nullptr)
                    {
-                     click = VectorOf(center);
+                     request.ClickWorld = VectorOf(center);
                    }
-                   std::unique_ptr<ShapeCompletion> made;
-                   if (Told(CompleteSurface(touches, given, click, made), error) == 0 ||
-                       Told(made->Judge(), error) == 0)
+                   OrganCompletion made;
+                   if (Told(Complete(request, prior, known, made), error) == 0)
                    {
                      return nullptr;
                    }
-                   DescribeCompletion(*made, deviations, next);
-                   return HandleOf(made->Model());
+                   if (deviations != nullptr)
+                   {
+                     std::copy(made.Deviations.begin(), made.Deviations.end(), deviations);
+                   }
+                   for (std::size_t n = 0; next != nullptr && n < made.Next.size(); ++n)
+                   {
+                     Copy(made.Next[n], next + 3 * n);
+                   }
+                   return HandleOf(std::move(made.Model));
                  });
 }
 

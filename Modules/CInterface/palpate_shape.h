@@ -20,6 +20,15 @@ extern "C"
                                   const int32_t* strokes, const uint8_t* outside, size_t count,
                                   const char* prior, double sigma, const double center[3],
                                   double* deviations, double* next, palpate_error* error);
+  /* The same with a prior of radial or of surface models, and the model of its kind. `known`, which
+   * may be NULL, is the other organ of the patient that a prior of palpate cohort --known relates
+   * to; then `center` is not read. With a prior of surface models `normals` have to point
+   * outwards. */
+  palpate_model* palpate_complete_organ(const double* points, const double* normals,
+                                        const int32_t* strokes, const uint8_t* outside,
+                                        size_t count, const char* prior, double sigma,
+                                        const double center[3], const palpate_model* known,
+                                        double* deviations, double* next, palpate_error* error);
 
   /* A mask or a model under correction: a function of the start and the list of steps, each of
    * which can be undone. */

@@ -1,7 +1,6 @@
 #include "CompletionFiles.h"
 
 #include "DecimalText.h"
-#include "DeviationMap.h"
 #include "ImageIndexToWorld.h"
 #include "ImageWriter.h"
 #include "InputError.h"
@@ -27,6 +26,8 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <variant>
 
 namespace palpate
 {
@@ -34,11 +35,9 @@ namespace
 {
 using CompletionObject = nlohmann::ordered_json;
 
-constexpr int CompletedFrequency = 20; // 4,002 points
-constexpr int MaskFrequency = 60;      // chords within 0.01 mm of an organ
-constexpr int DesignFrequency = 6;     // 362 candidates
+constexpr int MaskFrequency = 60; // chords within 0.01 mm of an organ
 
-vtkSmartPointer<vtkImageData> MaskOn(vtkImageData* grid, const RadialModel& model)
+vtkSmartPointer<vtkImageData> MaskOn(vtkImageData* grid, const OrganModel& model)
 {
   const IndexToWorld toWorld = IndexToWorldOf(grid);
   VoxelCenters centers{toWorld.Origin, toWorld.Axes, {}};
@@ -64,39 +63,36 @@ ModelDocument DocumentOf(const CompletedOrgan& organ, const CompletionInputs& in
                          const std::string& program)
 {
   ModelDocument document;
-  document.Surface = organ.Model;
+  document.Surface = organ.Found.Model;
   document.Provenance.Program = program;
   document.Provenance.Input = inputs.Points.filename().string();
   document.Provenance.Settings = {{"completed from touches", std::to_string(organ.Touches)},
                                   {"sigma_mm", ExactText(inputs.Sigma)},
-                                  {"prior cases", std::to_string(organ.PriorCases)}};
+                                  {"prior cases", std::to_string(organ.Found.PriorCases)}};
   return document;
 }
 } // namespace
 
-CompletedOrgan CompletedOrgan::Of(const ShapeCompletion& completion, std::size_t touches, int count)
+CompletedOrgan CompletedOrgan::Of(OrganCompletion completion, std::size_t touches)
 {
   CompletedOrgan organ;
-  organ.Model = completion.Model();
+  organ.Found = std::move(completion);
   organ.Touches = touches;
-  organ.PriorCases = completion.Prior()->Cases();
-  organ.Distance = completion.Distance();
-  organ.LargestDistance = completion.LargestDistance();
-  organ.Milliliters = VolumeOf(organ.Model) / CubicMillimetersPerMilliliter;
-  const Eigen::VectorXd deviations =
-      DeviationMap(completion.Prior(), CompletedFrequency).Evaluate(completion);
-  organ.Deviations = {deviations.begin(), deviations.end()};
-  organ.LargestDeviation = deviations.maxCoeff();
-  const std::vector<double> areas = FindNormalDisplacement(organ.Model, CompletedFrequency).Areas;
+  const auto* radial = std::get_if<RadialModel>(&organ.Found.Model);
+  organ.Milliliters =
+      (radial != nullptr ? VolumeOf(*radial) : std::get<SurfaceModel>(organ.Found.Model).Volume()) /
+      CubicMillimetersPerMilliliter;
+  organ.LargestDeviation = organ.Found.Deviations.maxCoeff();
+  const std::vector<double> areas = FindNormalDisplacement(organ.Found.Model, Frequency).Areas;
   double sum = 0.0;
   double area = 0.0;
   for (std::size_t n = 0; n < areas.size(); ++n)
   {
-    sum += areas[n] * organ.Deviations[n] * organ.Deviations[n];
+    const double deviation = organ.Found.Deviations[static_cast<Eigen::Index>(n)];
+    sum += areas[n] * deviation * deviation;
     area += areas[n];
   }
   organ.MeanDeviation = std::sqrt(sum / area);
-  organ.Next = DeviationMap(completion.Prior(), DesignFrequency).NextTouches(completion, count);
   return organ;
 }
 
@@ -106,19 +102,22 @@ std::string CompletionJson(const CompletedOrgan& organ, const CompletionInputs& 
   const auto pathOrNull = [](const std::string& path)
   { return path.empty() ? CompletionObject() : CompletionObject(path); };
   CompletionObject next = CompletionObject::array();
-  for (const Vector3& place : organ.Next)
+  for (const Vector3& place : organ.Found.Next)
   {
     next.push_back(PointJson(place));
   }
+  const bool isRadial = std::holds_alternative<RadialModel>(organ.Found.Model);
   const CompletionObject json{{JsonSchemaKey, JsonSchemaVersion},
                               {"points", pathOrNull(inputs.Points.string())},
                               {"touches", organ.Touches},
                               {"prior", pathOrNull(inputs.Prior.string())},
-                              {"prior_cases", organ.PriorCases},
+                              {"known", pathOrNull(inputs.Known.string())},
+                              {"model", isRadial ? "radial" : "surface"},
+                              {"prior_cases", organ.Found.PriorCases},
                               {"sigma_mm", inputs.Sigma},
-                              {"distance_rms_mm", organ.Distance},
-                              {"distance_limit_mm", organ.LargestDistance},
-                              {"center_mm", PointJson(organ.Model.CenterWorld())},
+                              {"distance_rms_mm", organ.Found.Distance},
+                              {"distance_limit_mm", organ.Found.LargestDistance},
+                              {"center_mm", PointJson(CenterOf(organ.Found.Model))},
                               {"volume_ml", organ.Milliliters},
                               {"deviation_rms_mm", organ.MeanDeviation},
                               {"deviation_max_mm", organ.LargestDeviation},
@@ -130,11 +129,13 @@ std::string CompletionJson(const CompletedOrgan& organ, const CompletionInputs& 
 void WriteCompletionFiles(const CompletedOrgan& organ, const CompletionInputs& inputs,
                           const std::filesystem::path& folder, const std::string& program)
 {
-  const vtkSmartPointer<vtkPolyData> surface = DrawModel(organ.Model, CompletedFrequency);
+  const vtkSmartPointer<vtkPolyData> surface =
+      DrawModel(organ.Found.Model, CompletedOrgan::Frequency);
   vtkNew<vtkFloatArray> deviations;
   deviations->SetName("StandardDeviation");
-  deviations->SetNumberOfValues(static_cast<vtkIdType>(organ.Deviations.size()));
-  std::copy(organ.Deviations.begin(), organ.Deviations.end(), deviations->GetPointer(0));
+  deviations->SetNumberOfValues(static_cast<vtkIdType>(organ.Found.Deviations.size()));
+  std::copy(organ.Found.Deviations.begin(), organ.Found.Deviations.end(),
+            deviations->GetPointer(0));
   surface->GetPointData()->AddArray(deviations);
   WriteOutputSet(folder,
                  [&](const std::filesystem::path& stage)
@@ -145,7 +146,7 @@ void WriteCompletionFiles(const CompletedOrgan& organ, const CompletionInputs& i
                                   CompletionJson(organ, inputs, {}) + "\n");
                    if (inputs.Grid != nullptr)
                    {
-                     WriteImage(stage / "mask.nii.gz", MaskOn(inputs.Grid, organ.Model));
+                     WriteImage(stage / "mask.nii.gz", MaskOn(inputs.Grid, organ.Found.Model));
                    }
                  },
                  {"mask.nii.gz"});

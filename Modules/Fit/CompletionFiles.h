@@ -1,7 +1,7 @@
 #pragma once
 
+#include "OrganCompletion.h"
 #include "PalpateFitModule.h"
-#include "ShapeCompletion.h"
 #include "Volume.h"
 
 #include <filesystem>
@@ -14,20 +14,16 @@ namespace palpate
 /// A completed surface, and what is said of it. Lengths mm, patient LPS.
 struct CompletedOrgan
 {
-  /// Measures what a completion found; `count` next places.
-  PALPATEFIT_EXPORT static CompletedOrgan Of(const ShapeCompletion& completion, std::size_t touches,
-                                             int count);
+  /// Of the points whose standard deviations a completion must have.
+  static constexpr int Frequency = 20;
+  /// Measures what a completion found, that is judged well.
+  PALPATEFIT_EXPORT static CompletedOrgan Of(OrganCompletion completion, std::size_t touches);
 
-  RadialModel Model;
+  OrganCompletion Found;
   std::size_t Touches = 0;
-  std::size_t PriorCases = 0;     ///< 0: smoothness alone
-  double Distance = 0.0;          ///< RMS of the touches' distances from the surface
-  double LargestDistance = 0.0;   ///< above which it is refused
-  std::vector<double> Deviations; ///< standard deviations at the points of the drawn surface
-  double MeanDeviation = 0.0;     ///< RMS over the surface's area
+  double MeanDeviation = 0.0; ///< RMS over the surface's area
   double LargestDeviation = 0.0;
   double Milliliters = 0.0;
-  std::vector<Vector3> Next; ///< where to touch next, the first one first
 };
 
 /// What is written besides: names of the inputs, and the image on whose grid a mask is wanted.
@@ -35,6 +31,7 @@ struct CompletionInputs
 {
   std::filesystem::path Points; ///< empty: none
   std::filesystem::path Prior;  ///< empty: none
+  std::filesystem::path Known;  ///< the other organ; empty: none
   double Sigma = 1.0;           ///< mm
   vtkSmartPointer<vtkImageData> Grid = nullptr;
 };

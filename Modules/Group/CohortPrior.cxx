@@ -1,24 +1,23 @@
 #include "CohortPrior.h"
 
 #include "InputError.h"
+#include "ModelFile.h"
 #include "Refusal.h"
 #include "ShapePriorFile.h"
 
+#include <algorithm>
+#include <string>
+#include <utility>
+
 namespace palpate
 {
-void WriteCohortPrior(CohortGroup& group, const std::filesystem::path& file)
+namespace
 {
-  if (group.Axes != AlignmentAxes::Patient)
-  {
-    throw InputError("--prior is made in the patients' axes; leave out --align");
-  }
+ShapePrior RadialPriorOf(CohortGroup& group)
+{
   std::vector<RadialModel> models;
   for (const OrganModel& model : group.Models)
   {
-    if (!std::holds_alternative<RadialModel>(model))
-    {
-      throw InputError("--prior needs radial models; fit the cases with --model radial");
-    }
     models.push_back(std::get<RadialModel>(model));
   }
   ShapePrior prior;
@@ -29,6 +28,72 @@ void WriteCohortPrior(CohortGroup& group, const std::filesystem::path& file)
     group.Notes.push_back(
         {group.Rows[row].Case, " is not part of the prior, since its model reaches its centre"});
   }
-  WriteShapePrior(prior, file);
+  return prior;
+}
+
+// The known organ of a case; none, and a reason, if it has no usable model.
+std::optional<LogSurface> KnownOf(const std::string& name, const CohortTable& known,
+                                  const std::filesystem::path& folder, std::string& reason)
+{
+  const auto found = std::find_if(known.Rows().begin(), known.Rows().end(),
+                                  [&name](const CohortRow& row)
+                                  { return row.Case == name && !row.Model.empty(); });
+  if (found == known.Rows().end())
+  {
+    reason = "it has no model";
+    return std::nullopt;
+  }
+  LogSurface made;
+  const Status status = FindLogSurface(ReadModel(folder / found->Model).Surface, made);
+  reason = status.Message();
+  return status.IsOk() ? std::optional<LogSurface>(made) : std::nullopt;
+}
+
+SurfacePrior SurfacePriorOf(CohortGroup& group, const CohortTable& known,
+                            const std::filesystem::path& folder)
+{
+  std::vector<SurfacePrior::Case> cases;
+  for (std::size_t row = 0; row < group.Models.size(); ++row)
+  {
+    SurfacePrior::Case one{std::get<SurfaceModel>(group.Models[row]),
+                           group.Bodies[row].CentroidWorld, std::nullopt};
+    std::string reason;
+    if (!known.Rows().empty())
+    {
+      one.Known = KnownOf(group.Rows[row].Case, known, folder, reason);
+    }
+    if (reason.empty())
+    {
+      cases.push_back(std::move(one));
+    }
+    else
+    {
+      group.Notes.push_back(
+          {group.Rows[row].Case, " is not part of the prior: of the known organ, " + reason});
+    }
+  }
+  SurfacePrior prior;
+  RequireInput(SurfacePrior::OfGroup(cases, prior));
+  return prior;
+}
+} // namespace
+
+void WriteCohortPrior(CohortGroup& group, const CohortTable& known,
+                      const std::filesystem::path& knownFolder, const std::filesystem::path& file)
+{
+  if (group.Axes != AlignmentAxes::Patient)
+  {
+    throw InputError("--prior is made in the patients' axes; leave out --align");
+  }
+  if (std::holds_alternative<SurfaceModel>(group.Models.front()))
+  {
+    WriteShapePrior(SurfacePriorOf(group, known, knownFolder), file);
+    return;
+  }
+  if (!known.Rows().empty())
+  {
+    throw InputError("--known needs surface models; fit the cases with --model surface");
+  }
+  WriteShapePrior(RadialPriorOf(group), file);
 }
 } // namespace palpate

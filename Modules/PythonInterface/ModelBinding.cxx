@@ -76,7 +76,7 @@ BoundModel FitPoints(const py::object& given, int degree, const py::object& cent
 py::object Complete(const py::object& givenPoints, const py::object& givenNormals,
                     const std::optional<std::filesystem::path>& prior, double sigma,
                     const py::object& center, const py::object& givenStrokes,
-                    const py::object& givenOutside)
+                    const py::object& givenOutside, const BoundModel* known)
 {
   constexpr int DeviationFrequency = 8;
   const VectorArray points(givenPoints, "points");
@@ -114,9 +114,11 @@ py::object Complete(const py::object& givenPoints, const py::object& givenNormal
   BoundModel model;
   {
     const py::gil_scoped_release others;
-    model.Handle.reset(Call(palpate_complete, points.Data(), normals ? normals->Data() : nullptr,
-                            numbers, beyond, points.Count(), prior ? file.c_str() : nullptr, sigma,
-                            center.is_none() ? nullptr : middle.data(), deviation, places));
+    model.Handle.reset(Call(palpate_complete_organ, points.Data(),
+                            normals ? normals->Data() : nullptr, numbers, beyond, points.Count(),
+                            prior ? file.c_str() : nullptr, sigma,
+                            center.is_none() ? nullptr : middle.data(),
+                            known != nullptr ? known->Handle.get() : nullptr, deviation, places));
   }
   return Result("Completion", std::move(model), deviations, next);
 }
@@ -384,13 +386,16 @@ void BindModels(py::module_& module)
       "complete", &Complete, py::arg("points"), py::arg("normals") = py::none(),
       py::arg("prior") = py::none(), py::arg("sigma") = 1.0, py::arg("center") = py::none(),
       py::kw_only(), py::arg("strokes") = py::none(), py::arg("outside") = py::none(),
+      py::arg("known") = py::none(),
       "Completes an organ's surface from a few touched points (n, 3), mm.\n\n"
       "normals: (n, 3), 0 for a point without. prior: a file of palpate cohort --prior; else "
       "the organ is smooth.\n"
       "sigma: standard deviation of the points, mm. center: (3,), near the organ's; the "
       "middle of the points unless given.\n"
       "strokes: (n,): points of the same number above 0 share an offset. outside: (n,), "
-      "bool: the organ does not reach that far.");
+      "bool: the organ does not reach that far.\n"
+      "known: the model of the other organ that a prior of palpate cohort --known relates to. With "
+      "a prior of surface models, normals point outwards.");
   module.def(
       "fit_mask",
       [](const py::object& mask, int degree, const std::string& kind, const py::object& spacing,

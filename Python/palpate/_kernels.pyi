@@ -127,6 +127,7 @@ def complete(
     *,
     strokes: Optional[ArrayLike] = None,
     outside: Optional[ArrayLike] = None,
+    known: Optional[Model] = None,
 ) -> Completion: ...
 def fit_mask(
     mask: ArrayLike,

@@ -297,7 +297,7 @@ class Completion(NamedTuple):
     """A surface completed from touched points."""
 
     model: "Model"
-    """A radial model."""
+    """A radial model, or a surface model if the prior is of those."""
     deviations: NDArray[float64]
     """(642,), mm: standard deviations along the normals at the points of model.mesh(8)."""
     next: NDArray[float64]

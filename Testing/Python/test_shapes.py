@@ -35,6 +35,12 @@ class Completion(unittest.TestCase):
         self.assertGreater(touched[0], free[0] + 0.5)
         self.assertAlmostEqual(held[0], free[0], 1)
 
+    def test_takes_the_known_organ_as_a_model(self):
+        with self.assertRaisesRegex(palpate.Error, "no other organ"):
+            palpate.complete(20 * directions(12), known=ball(25))
+        with self.assertRaises(TypeError):
+            palpate.complete(20 * directions(12), known="gland.json")
+
     def test_refuses_other_counts_and_what_is_not_star_shaped(self):
         points = 20 * directions(30)
         with self.assertRaisesRegex(ValueError, "one for each point"):

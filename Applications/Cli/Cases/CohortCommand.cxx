@@ -135,11 +135,18 @@ void CohortCommand::DeclareOptions(CLI::App& app)
                  "Write shape.json: the mean plus standard deviations of modes, such as 1:2,3:-1 "
                  "(0: the mean)")
       ->type_name("MODE:SD,...");
-  app.add_option("--prior", this->Prior,
-                 "Also write what the cases' radial models say of the organ, for palpate complete "
-                 "(no case is named)")
+  app.add_option(
+         "--prior", this->Prior,
+         "Also write what the cases' models say of the organ, for palpate complete (no case "
+         "is named); of surface models better with --reparametrise")
       ->type_name("FILE")
       ->check(FileType::Output("file", ".json"));
+  app.add_option("--known", this->Known,
+                 "With --prior, of surface models: a folder with a cohort.csv of another organ of "
+                 "the same cases, which palpate complete --known then takes")
+      ->needs("--prior")
+      ->type_name("DIR")
+      ->check(FileType::Input("folder"));
   this->DeclareCovariates(app);
 }
 
@@ -361,7 +368,9 @@ int CohortCommand::Run(Console& console)
   }
   if (!this->Prior.empty())
   {
-    WriteCohortPrior(group, this->Prior);
+    WriteCohortPrior(group,
+                     this->Known.empty() ? CohortTable() : JoinCohorts({this->Known}, this->Known),
+                     this->Known, this->Prior);
   }
   CovariateRequest request = this->Request;
   request.IsForSides = this->Sides.size() == 2;

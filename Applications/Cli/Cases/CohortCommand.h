@@ -60,6 +60,7 @@ private:
   bool IsAnonymous = false;
   std::string Shape;
   std::string Prior;
+  std::string Known;
   CovariateRequest Request;
   std::vector<std::string> Sides; ///< midline, or the columns of patient and side
 };

@@ -145,6 +145,8 @@ TEST(Arguments, ModelFunctionsSurviveEveryNull)
   const double touched[] = {20, 0, 0, -20, 0, 0, 0, 20, 0, 0, -20, 0, 0, 0, 20, 0, 0, -20};
   SURVIVES(palpate_complete, touched, touched, b.Triangles.data(), nullptr, 6, nullptr, 1.0, Origin,
            b.A.data(), b.B.data(), e);
+  SURVIVES(palpate_complete_organ, touched, touched, b.Triangles.data(), nullptr, 6, nullptr, 1.0,
+           Origin, nullptr, b.A.data(), b.B.data(), e);
   SURVIVES(palpate_correction_of_model, m, e);
   SURVIVES(palpate_correction_of_mask, b.Mask.data(), nullptr, Size, Origin, Spacing, Axes, e);
   test::Owned<palpate_correction> correction(palpate_correction_of_model(m, nullptr));
@@ -453,6 +455,8 @@ TEST(Arguments, AbsurdCountsAreRefusedInOwnWords)
   {
     refused(palpate_model_fit(a, count, Origin, 4, e));
     refused(palpate_complete(a, a, t, nullptr, count, nullptr, 1.0, Origin, a, a, e));
+    refused(
+        palpate_complete_organ(a, a, t, nullptr, count, nullptr, 1.0, Origin, nullptr, a, a, e));
     refused(palpate_model_evaluate(ball.get(), a, count, &evaluation, e));
     refused(palpate_compared_of_mesh(a, count, t, 1, e));
     refused(palpate_compared_of_mesh(a, 3, t, count, e));

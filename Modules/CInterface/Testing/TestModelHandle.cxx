@@ -1,6 +1,7 @@
 #include "Handles.h"
 #include "IcosahedronDirections.h"
 #include "RandomShapes.h"
+#include "ShapePriorFile.h"
 #include "TemporaryFolder.h"
 #include "Vector3.h"
 
@@ -69,6 +70,47 @@ TEST(ModelHandle, CompletesABallFromItsCorners)
                              nullptr, nullptr, nullptr, &error),
             nullptr);
   EXPECT_NE(std::string(error.text).find("absent.json"), std::string::npos);
+}
+
+TEST(ModelHandle, CompletesASurfaceModelGivenTheOtherOrgan)
+{
+  // Bodies of 8 to 12 mm in ones of twice that.
+  std::vector<SurfacePrior::Case> cases;
+  for (int n = 0; n < 5; ++n)
+  {
+    const RadialModel body(0, {(8.0 + n) / ShapePrior::ConstantHarmonic}, Vector3::Zero());
+    LogSurface known{Eigen::VectorXd::Zero(169), Vector3::Zero()};
+    known.Coefficients[0] = std::log(16.0 + 2.0 * n) / ShapePrior::ConstantHarmonic;
+    cases.push_back({SurfaceModel::FromModel(body), Vector3(0.0, 4.0, 0.0), known});
+  }
+  SurfacePrior prior;
+  ASSERT_TRUE(SurfacePrior::OfGroup(cases, prior).IsOk());
+  const test::TemporaryFolder folder;
+  const std::string file = (folder / "prior.json").string();
+  WriteShapePrior(prior, file);
+  palpate_error error{};
+  const double sizes[] = {22.0 / ShapePrior::ConstantHarmonic};
+  const double center[] = {50.0, 0.0, 0.0};
+  const Owned<palpate_model> gland(palpate_model_create(0, sizes, center, &error));
+  std::vector<double> deviations(palpate_mesh_point_count(8), -1.0);
+  std::vector<double> next(18, 0.0);
+  const double none = 0.0;
+  const Owned<palpate_model> made(palpate_complete_organ(&none, nullptr, nullptr, nullptr, 0,
+                                                         file.c_str(), 1.0, nullptr, gland.get(),
+                                                         deviations.data(), next.data(), &error));
+  ASSERT_NE(made, nullptr) << error.text;
+  EXPECT_EQ(palpate_model_is_radial(made.get()), 0);
+  double volume = 0.0;
+  double area = 0.0;
+  ASSERT_EQ(palpate_model_measure(made.get(), &volume, &area, &error), 1);
+  // 11 mm, which the ridge draws towards the mean of 10.
+  EXPECT_NEAR(std::cbrt(0.75 * volume / M_PI), 11.0, 0.15);
+  EXPECT_GT(*std::min_element(deviations.begin(), deviations.end()), 0.3);
+  EXPECT_NEAR(std::hypot(next[0] - 50.0, next[1] - 4.0, next[2]), 11.0, 0.5);
+  EXPECT_EQ(palpate_complete_organ(&none, nullptr, nullptr, nullptr, 0, nullptr, 1.0, nullptr,
+                                   gland.get(), nullptr, nullptr, &error),
+            nullptr);
+  EXPECT_NE(std::string(error.text).find("no other organ"), std::string::npos);
 }
 
 TEST(ModelHandle, PointsAreThoseOfTheModel)

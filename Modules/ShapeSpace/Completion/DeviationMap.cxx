@@ -82,6 +82,18 @@ std::vector<Vector3> DeviationMap::NextTouches(const ShapeCompletion& completion
                this->Lengths[n];
   }
   std::vector<Vector3> places;
+  for (const Eigen::Index best : ChooseTouches(std::move(covariance), areas, count))
+  {
+    places.emplace_back(completion.Surface().CenterWorld +
+                        this->Radii[best] * this->Rays[static_cast<std::size_t>(best)]);
+  }
+  return places;
+}
+
+std::vector<Eigen::Index> ChooseTouches(Eigen::MatrixXd covariance, const Eigen::VectorXd& areas,
+                                        int count)
+{
+  std::vector<Eigen::Index> places;
   for (int next = 0; next < count; ++next)
   {
     const Eigen::VectorXd gains =
@@ -89,8 +101,7 @@ std::vector<Vector3> DeviationMap::NextTouches(const ShapeCompletion& completion
             .cwiseQuotient((covariance.diagonal().array() + TouchVariance).matrix());
     Eigen::Index best = 0;
     gains.maxCoeff(&best);
-    places.emplace_back(completion.Surface().CenterWorld +
-                        this->Radii[best] * this->Rays[static_cast<std::size_t>(best)]);
+    places.push_back(best);
     const Eigen::VectorXd column = covariance.col(best);
     covariance -= column * column.transpose() / (column[best] + TouchVariance);
   }

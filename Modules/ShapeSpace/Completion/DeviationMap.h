@@ -25,10 +25,9 @@ public:
   /// one of the same covariance, as all of ShapePrior::Smooth are.
   /// Allocates little for as many touches as before.
   const Eigen::VectorXd& Evaluate(const ShapeCompletion& completion);
-  /// Where to touch next, mm: `count` points of the surface in these directions, each the one whose
-  /// touch, of standard deviation 1 mm, makes the variance over the surface's area least, given the
-  /// former ones (A-optimal design, Chaloner and Verdinelli, Statistical Science 10, 1995). Before
-  /// any touch, the places depend on the prior alone. Allocates; some ten ms for 362 directions.
+  /// Where to touch next, mm: `count` points of the surface in these directions, each as
+  /// ChooseTouches has them. Before any touch, the places depend on the prior alone. Allocates;
+  /// some ten ms for 362 directions.
   std::vector<Vector3> NextTouches(const ShapeCompletion& completion, int count);
 
 private:
@@ -48,4 +47,11 @@ private:
   Eigen::MatrixXd Known;   // L^-1 times the covariance of rows and directions
   Eigen::VectorXd Deviations;
 };
+
+/// The places, first the best one, of which each touch, of standard deviation 1 mm, makes the
+/// variance over the surface's area least, given the former ones (A-optimal design, Chaloner and
+/// Verdinelli, Statistical Science 10, 1995). `covariance` (mm^2) is that of the displacements at
+/// all places.
+std::vector<Eigen::Index> ChooseTouches(Eigen::MatrixXd covariance, const Eigen::VectorXd& areas,
+                                        int count);
 } // namespace palpate

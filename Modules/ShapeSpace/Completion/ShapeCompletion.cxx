@@ -17,28 +17,17 @@ constexpr int MostHalvings = 12;
 constexpr double LargestCenterStep = 6.0; // mm
 constexpr double LargestSizeStep = 0.28;  // of the logarithm of the mean radius
 constexpr double LeastStep = 5e-3;        // mm: the last step, whose error is a tenth of it or less
-constexpr double LeastDeviation = 0.01;   // mm
-constexpr double LargestDeviation = 100.0; // mm
-constexpr double FarthestPoint = 1000.0;   // mm, from the click
 
 // The middle of the box of the points on a surface, and the mean logarithm of their distances.
 struct TouchExtent
 {
   explicit TouchExtent(const std::vector<SurfaceTouch>& touches)
   {
-    Eigen::AlignedBox3d box;
     for (const SurfaceTouch& touch : touches)
     {
-      if (!touch.IsOutside)
-      {
-        box.extend(touch.PointWorld);
-        ++this->Count;
-      }
+      this->Count += touch.IsOutside ? 0 : 1;
     }
-    if (this->Count > 0)
-    {
-      this->Middle = box.center();
-    }
+    this->Middle = MiddleOf(touches).value_or(this->Middle);
     this->TakeDistances(touches, this->Middle);
   }
 
@@ -64,34 +53,6 @@ ShapeCompletion::ShapeCompletion(std::shared_ptr<const ShapePrior> prior, const 
 {
   this->CostOf(this->Last);
   this->Factorise();
-}
-
-Status ShapeCompletion::Check(const std::vector<SurfaceTouch>& touches) const
-{
-  if (touches.size() > MostTouches)
-  {
-    return Status::Failure("there are " + std::to_string(touches.size()) +
-                           " touched points, more than " + std::to_string(MostTouches) +
-                           "; take every tenth");
-  }
-  for (std::size_t n = 0; n < touches.size(); ++n)
-  {
-    const SurfaceTouch& touch = touches[n];
-    const std::string name = "touch " + std::to_string(n + 1);
-    if (!((touch.PointWorld - this->Click).norm() < FarthestPoint))
-    {
-      return Status::Failure(name + " is not within 1,000 mm of the organ's centre");
-    }
-    if (!(touch.Deviation >= LeastDeviation && touch.Deviation <= LargestDeviation))
-    {
-      return Status::Failure(name + " has a standard deviation outside of 0.01 to 100 mm");
-    }
-    if (touch.Normal && !(touch.Normal->allFinite() && touch.Normal->norm() > 1e-6))
-    {
-      return Status::Failure(name + " has a normal without a direction");
-    }
-  }
-  return Status::Success();
 }
 
 ShapeCompletion::State ShapeCompletion::PriorState() const
@@ -225,7 +186,7 @@ bool ShapeCompletion::FitsBadly() const noexcept
 
 Status ShapeCompletion::Update(const std::vector<SurfaceTouch>& touches)
 {
-  if (Status status = this->Check(touches); !status.IsOk())
+  if (Status status = CheckTouches(touches, this->Click); !status.IsOk())
   {
     return status;
   }

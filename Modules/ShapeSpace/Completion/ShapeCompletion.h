@@ -16,16 +16,15 @@ namespace palpate
 class ShapeCompletion
 {
 public:
-  static constexpr std::size_t MostTouches = 1000;
+  static constexpr std::size_t MostTouches = SurfaceTouch::Most;
   static constexpr double CenterDeviation = 6.0; ///< of the click from the centroid, mm
 
   /// `clickWorld` (mm): near the organ's centre.
   ShapeCompletion(std::shared_ptr<const ShapePrior> prior, const Vector3& clickWorld);
 
   /// Completes the surface by all touches so far, none included, starting from that of the last
-  /// call. Fails, and leaves everything as it was, for more than MostTouches, numbers that are not
-  /// finite, standard deviations outside of 0.01 to 100 mm, points more than 1,000 mm from the
-  /// click, and normals of length 0. Allocates little for as many touches as before.
+  /// call. Fails, and leaves everything as it was, for touches that CheckTouches refuses.
+  /// Allocates little for as many touches as before.
   Status Update(const std::vector<SurfaceTouch>& touches);
 
   const LogSurface& Surface() const noexcept { return this->Last.Surface; }
@@ -61,7 +60,6 @@ private:
     double Cost = 0.0;
   };
 
-  Status Check(const std::vector<SurfaceTouch>& touches) const;
   bool FitsBadly() const noexcept;
   State PriorState() const;
   State SphereState(const std::vector<SurfaceTouch>& touches) const;

@@ -214,17 +214,4 @@ double TouchEquations::Distance() const noexcept
   }
   return count > 0.0 ? std::sqrt(sum / count) : 0.0;
 }
-
-double TouchEquations::ExpectedDistance() const noexcept
-{
-  double sum = 0.0;
-  double count = 0.0;
-  for (const SurfaceTouch& touch : this->Touches)
-  {
-    const double offset = touch.Stroke > 0 ? StrokeDeviation : 0.0;
-    sum += touch.IsOutside ? 0.0 : touch.Deviation * touch.Deviation + offset * offset;
-    count += touch.IsOutside ? 0.0 : 1.0;
-  }
-  return count > 0.0 ? std::sqrt(sum / count) : 0.0;
-}
 } // namespace palpate

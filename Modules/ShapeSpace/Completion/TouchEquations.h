@@ -31,7 +31,7 @@ public:
   static constexpr double ModelDeviation = 0.4;
   /// Of normals, 0.2 of the touch and as much as such a surface leaves out, rad.
   static constexpr double NormalDeviation = 0.3;
-  static constexpr double StrokeDeviation = 0.5; ///< of the offset of a stroke, mm
+  static constexpr double StrokeDeviation = SurfaceTouch::StrokeDeviation; ///< mm
 
   explicit TouchEquations(int degree);
 
@@ -54,7 +54,7 @@ public:
 
   /// RMS of the distances of the points on the surface, and what their noise makes likely; mm.
   double Distance() const noexcept;
-  double ExpectedDistance() const noexcept;
+  double ExpectedDistance() const noexcept { return palpate::ExpectedDistance(this->Touches); }
 
 private:
   struct Place;

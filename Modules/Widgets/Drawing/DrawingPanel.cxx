@@ -403,8 +403,10 @@ void DrawingPanel::Keep()
       [this, copy = std::make_shared<ShapeCompletion>(*completion), inputs, folder, name,
        drawing = this->Study.State().Drawing](const ProgressFunction&)
       {
-        WriteCompletionFiles(CompletedOrgan::Of(*copy, drawing.Touches.size(), 0), inputs, folder,
-                             "palpate-viewer " + SoftwareVersions().front().second);
+        WriteCompletionFiles(
+            CompletedOrgan::Of(DescribeCompletion(*copy, CompletedOrgan::Frequency, 0),
+                               drawing.Touches.size()),
+            inputs, folder, "palpate-viewer " + SoftwareVersions().front().second);
         return [this, folder, name, drawing]
         {
           StudyState next = WithKeptOrgan(this->Study.State(), name, folder / "model.json");

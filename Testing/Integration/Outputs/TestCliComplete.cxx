@@ -134,18 +134,55 @@ TEST_F(CliComplete, CohortsMakePriorsThatNameNoPatient)
   EXPECT_TRUE(Says(known.Output, "4 cases"));
 }
 
-TEST_F(CliComplete, PriorsNeedRadialModelsInPatientsAxes)
+TEST_F(CliComplete, PriorsAreOfPatientsAxes)
 {
   ASSERT_EQ(this->MakePrior().Code, 0);
   EXPECT_TRUE(Says(this->RefusalOf({"cohort", "out", "--align", "ellipsoid", "--prior", "p.json"}),
                    "leave out --align"));
+  EXPECT_TRUE(Says(this->RefusalOf({"cohort", "out", "--prior", "p.json", "--known", "out"}),
+                   "--model surface"));
+  EXPECT_FALSE(std::filesystem::exists(this->Folder / "p.json"));
+}
+
+TEST_F(CliComplete, SurfaceModelsAreCompletedGivenTheOtherOrgan)
+{
+  ASSERT_EQ(this->MakePrior().Code, 0); // of the other organ, here the same bodies
   ASSERT_EQ(this->Run({"fit", "masks", "--as", "cases", "--model", "surface", "--degree", "4",
                        "--min-dice", "0", "--output", "surfaces"})
                 .Code,
             0);
-  EXPECT_TRUE(Says(this->RefusalOf({"cohort", "surfaces", "--prior", "p.json"}),
-                   "fit the cases with --model radial"));
-  EXPECT_FALSE(std::filesystem::exists(this->Folder / "p.json"));
+  const CommandRun made =
+      this->Run({"cohort", "surfaces", "--prior", "zone.json", "--known", "out"});
+  ASSERT_EQ(made.Code, 0) << made.Errors;
+  EXPECT_EQ(ReadAll(this->Folder / "zone.json").find("patient-"), std::string::npos);
+  this->WriteBall();
+  const CommandRun run = this->Run({"complete", "ball.csv", "--prior", "zone.json", "--known",
+                                    "masks/patient-1.nii.gz", "--grid", "masks/patient-1.nii.gz",
+                                    "--sigma", "0.5", "--output", "done", "--json"});
+  ASSERT_EQ(run.Code, 0) << run.Errors;
+  const Json found = Json::parse(run.Output);
+  EXPECT_EQ(found.at("model"), "surface");
+  EXPECT_EQ(found.at("prior_cases"), 4);
+  EXPECT_EQ(found.at("known"), "masks/patient-1.nii.gz");
+  // The known body's: four cases of equal bodies leave touches of a smaller ball no say.
+  EXPECT_NEAR(found.at("volume_ml").get<double>(), 4.0 / 3.0 * M_PI * 9.0 * 10.0 * 9.5 / 1000.0,
+              0.15);
+  EXPECT_EQ(ReadSurface(this->Folder / "done/model.vtp")
+                ->GetPointData()
+                ->GetArray("StandardDeviation")
+                ->GetNumberOfTuples(),
+            4002);
+  EXPECT_TRUE(std::filesystem::exists(this->Folder / "done/mask.nii.gz"));
+  EXPECT_TRUE(
+      Says(this->Run({"complete", "--prior", "zone.json", "--known", "out/patient-2/1/model.json"})
+               .Output,
+           "touch next"));
+  EXPECT_TRUE(Says(this->RefusalOf({"complete", "ball.csv", "--prior", "prior.json", "--known",
+                                    "masks/patient-1.nii.gz"}),
+                   "no other organ"));
+  EXPECT_TRUE(Says(this->RefusalOf({"complete", "ball.csv", "--prior", "zone.json", "--known",
+                                    "masks/patient-1.nii.gz", "--center", "0,0,0"}),
+                   "--center"));
 }
 
 TEST_F(CliComplete, RefusesAnOrganThatIsNotStarShaped)
