@@ -142,6 +142,34 @@ TEST_F(TouchLinkTest, SpaceMouseIsSlowNearTheSurfaceAndPushesIt)
             1.5 * FastestApproach(recording, this->SphereCenter, 2.0, 4.0));
 }
 
+TEST_F(TouchLinkTest, CapsuleTipsWhereItTouchesAndIsDrawnSo)
+{
+  this->OpenPhantom();
+  StudyState next = this->Study->State();
+  next.Structures.resize(1);
+  this->Study->Change("Keep the ball", next);
+  this->Window->findChild<QDoubleSpinBox*>("tool-length")->setValue(16.0);
+  EXPECT_EQ(this->Study->State().Tool.Kind, TouchToolSettings::Shape::Capsule);
+  this->BeginTouch();
+  // Beside the middle of the ball, so that one end of the capsule is held.
+  this->Press(this->SphereCenter + Vector3(2.0, 0.0, 3.0), 0.5);
+  const TouchState& felt = this->Study->Reading().Newest;
+  const Eigen::Map<const Eigen::Quaterniond> hand(felt.ProbeOrientation.data());
+  const Eigen::Map<const Eigen::Quaterniond> tool(felt.ProxyOrientation.data());
+  EXPECT_GT(tool.angularDistance(hand), 1e-3);
+  const Matrix3 turned = tool.toRotationMatrix();
+  vtkMatrix4x4* drawn = this->Window->Contents().Probe()->GetProxyMatrix();
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 3; ++column)
+    {
+      EXPECT_NEAR(drawn->GetElement(row, column), turned(row, column), 1e-9);
+    }
+  }
+  this->Window->findChild<QDoubleSpinBox*>("tool-length")->setValue(0.0);
+  EXPECT_EQ(this->Study->State().Tool.Kind, TouchToolSettings::Shape::Sphere);
+}
+
 TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)
 {
   this->StartTouch();

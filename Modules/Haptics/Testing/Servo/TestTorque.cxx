@@ -20,10 +20,10 @@ SafetySettings Settings()
 }
 
 // A chain of healthy ticks at one place.
-class Run
+class ChainRun
 {
 public:
-  explicit Run(const SafetySettings& settings = Settings()) : Chain(settings) {}
+  explicit ChainRun(const SafetySettings& settings = Settings()) : Chain(settings) {}
 
   Vector3 Tick(const Vector3& force, const Vector3& torque)
   {
@@ -54,7 +54,7 @@ const Vector3 Turn(50.0, 0.0, 0.0);
 
 TEST(Torque, PassesUnchangedWithinItsLimits)
 {
-  Run run;
+  ChainRun run;
   EXPECT_EQ(run.Rest(Push, Turn), Turn);
 }
 
@@ -62,21 +62,21 @@ TEST(Torque, IsNoneWhereTheDeviceShowsNone)
 {
   SafetySettings settings = Settings();
   settings.MaximumTorque = 0.0;
-  Run run(settings);
+  ChainRun run(settings);
   EXPECT_EQ(run.Rest(Push, Turn).norm(), 0.0);
   EXPECT_EQ(run.Force, Push);
 }
 
 TEST(Torque, IsScaledWithAForceThatIsLimitedAndNeverLongerThanItsOwnLimit)
 {
-  Run run;
+  ChainRun run;
   EXPECT_LE((run.Rest(8.0 * Push, Turn) - 0.5 * Turn).norm(), 1e-9);
   EXPECT_NEAR(run.Rest(Push, 100.0 * Turn).norm(), 200.0, 1e-9);
 }
 
 TEST(Torque, FadesInAndStepsAreSpreadOut)
 {
-  Run run;
+  ChainRun run;
   Vector3 last = Vector3::Zero();
   double largest = 0.0;
   for (int n = 0; n < 50; ++n)
@@ -93,13 +93,13 @@ TEST(Torque, FadesInAndStepsAreSpreadOut)
 
 TEST(Torque, IsZeroInTheTickOfAnyFault)
 {
-  Run failed;
+  ChainRun failed;
   failed.Rest(Push, Turn);
   failed.Chain.Fail(SafetyFault::SwitchedOff);
   EXPECT_EQ(failed.Tick(Push, Turn).norm(), 0.0);
   EXPECT_EQ(failed.Force.norm(), 0.0);
 
-  Run broken;
+  ChainRun broken;
   broken.Rest(Push, Turn);
   EXPECT_EQ(broken.Tick(Push, {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0}).norm(), 0.0);
   EXPECT_EQ(broken.Force.norm(), 0.0);
