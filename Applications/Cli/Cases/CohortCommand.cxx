@@ -146,7 +146,7 @@ void CohortCommand::DeclareOptions(CLI::App& app)
                  "the same cases, which palpate complete --known then takes")
       ->needs("--prior")
       ->type_name("DIR")
-      ->check(FileType::Input("folder"));
+      ->check(FileType::Input("directory"));
   this->DeclareCovariates(app);
 }
 

@@ -176,13 +176,13 @@ TEST_F(TouchRecorderTest, FullDiskKeepsWholeTicks)
   ASSERT_TRUE(this->Start(recorder).IsOk());
   Status status = Status::Success();
   {
-    const test::FileSizeLimit full(300'000); // within tick 961
+    const test::FileSizeLimit full(300'000); // within tick 749
     status = this->Take(recorder, 5000);
     status = status.IsOk() ? recorder.Finish() : status;
   }
   ASSERT_FALSE(status.IsOk());
-  EXPECT_EQ(this->TicksIn(this->Part()), 961U);
-  EXPECT_NE(status.Message().find("0.961 s (961 ticks)"), std::string::npos) << status.Message();
+  EXPECT_EQ(this->TicksIn(this->Part()), 749U);
+  EXPECT_NE(status.Message().find("0.749 s (749 ticks)"), std::string::npos) << status.Message();
   EXPECT_NE(status.Message().find("File too large"), std::string::npos) << status.Message();
   EXPECT_NE(status.Message().find(this->Part().string()), std::string::npos) << status.Message();
   EXPECT_EQ(test::ReadAll(this->Path()), "an earlier recording");

@@ -137,11 +137,11 @@ TEST_F(TouchRun, FullDiskEndsTheRecordingAndNotTheTouch)
   run.Guide = [&reported](const std::string& message) { reported = message; };
   TouchResult result;
   {
-    const test::FileSizeLimit full(300'000); // within tick 961
+    const test::FileSizeLimit full(300'000); // within tick 749
     result = RunTouch(touch, run, GoOn);
   }
   EXPECT_EQ(result.Ticks, 2000U);
-  EXPECT_NE(result.RecordingProblem.find("0.961 s"), std::string::npos) << result.RecordingProblem;
+  EXPECT_NE(result.RecordingProblem.find("0.749 s"), std::string::npos) << result.RecordingProblem;
   EXPECT_EQ(reported, result.RecordingProblem);
   EXPECT_FALSE(std::filesystem::exists(file));
   EXPECT_EQ(this->Folder.EntryCount(), 3U) << "model, mask and recording";
@@ -500,8 +500,8 @@ TEST_F(TouchRun, RejectsScenesThatCannotBeTouched)
   settings.Device = "phantom";
   EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError);
   settings = this->SettingsOf(this->ModelPath, TouchRepresentation::Automatic);
-  settings.Tool.Kind = TouchToolSettings::Shape::Capsule;
-  EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError) << "harmonics require a sphere";
+  settings.Tool.Kind = TouchToolSettings::Shape::Ellipsoid;
+  EXPECT_THROW(PrepareTouch(settings, {}, GoOn), InputError) << "harmonics require balls";
 }
 
 TEST_F(TouchRun, FilesAreTheSameUnderADecimalComma)

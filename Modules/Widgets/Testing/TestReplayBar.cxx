@@ -194,7 +194,8 @@ TEST_F(ReplayBarTest, RejectsForeignFileEachTime)
     this->Window->Messages()->Clear();
     this->Study->OpenFiles({file});
     WaitUntil([this] { return !this->Messages().empty(); });
-    EXPECT_EQ(this->Messages(), file.string() + " is not a touch recording of version 3, 4, 5 or 6.");
+    EXPECT_EQ(this->Messages(),
+              file.string() + " is not a touch recording of version 3, 4, 5 or 6.");
   }
   EXPECT_FALSE(this->Study->IsReplaying());
 }

@@ -517,7 +517,7 @@ TEST(Servo, RejectedSceneKeepsThePreviousOne)
 {
   test::ServoRun run(WallScene(0.0, {1.0, 0.0}));
   TouchScene shell = WallScene(0.0, {1.0, 0.0});
-  shell.Tool = ToolShape::Capsule(1.0, 2.0, 50);
+  shell.Tool = ToolShape::Ellipsoid({1.0, 1.0, 2.0}, 50);
   EXPECT_EQ(run.Loop.Publish(std::make_shared<TouchScene>(shell)).Message(),
             "The structure wall cannot be touched: A wall supports spheres only.");
   EXPECT_FALSE(run.Loop.Publish(nullptr).IsOk());
