@@ -13,11 +13,11 @@ namespace palpate
 {
 namespace
 {
-// One for each square of a voxel, so that nothing as wide slips between them.
+// About one for each square of a voxel, so that hardly anything as wide slips between them.
 int CapsulePoints(double radius, double length, double voxelSize)
 {
   constexpr double Fewest = 100.0;
-  constexpr double Most = 1500.0;
+  constexpr double Most = 600.0;
   const double area = 2.0 * EIGEN_PI * radius * (2.0 * radius + length);
   return static_cast<int>(std::clamp(area / (voxelSize * voxelSize), Fewest, Most));
 }

@@ -8,6 +8,12 @@
 
 namespace palpate
 {
+namespace
+{
+constexpr std::size_t MostCandidates = 64;
+constexpr std::size_t MostFeet = 12;
+} // namespace
+
 // Half a voxel is known around any surface; a stride may not leap over the reach.
 FieldGaps::FieldGaps(std::shared_ptr<const FieldSolid> solid, const ToolShape& tool,
                      const SurfaceFriction& friction)
@@ -22,6 +28,45 @@ FieldGaps::FieldGaps(std::shared_ptr<const FieldSolid> solid, const ToolShape& t
   }
   this->Places.resize(this->Points.size());
   this->Inside.resize(this->Points.size());
+  this->Candidates.resize(MostCandidates);
+}
+
+// Every second, third, … of the points that are near, if there are many: feet slide from them.
+void FieldGaps::FindCandidates() noexcept
+{
+  const auto near = static_cast<std::size_t>(
+      std::count_if(this->Inside.begin(), this->Inside.end(), [](auto in) { return in != 0; }));
+  const std::size_t every = 1 + near / MostCandidates;
+  std::size_t met = 0;
+  this->CandidateCount = 0;
+  for (std::size_t n = 0; n < this->Points.size(); ++n)
+  {
+    if (this->Inside[n] == 0 || met++ % every != 0)
+    {
+      continue;
+    }
+    const Vector3 inward = this->Turned * -this->Points[n].Outward;
+    const FieldSolid::Wall wall =
+        this->Solid->WallNear(this->Places[n] + this->Reach * inward, inward);
+    if (wall.IsKnown)
+    {
+      this->Candidates[this->CandidateCount++] = {wall.Distance, n};
+    }
+  }
+  std::sort(this->Candidates.begin(), this->Candidates.begin() + this->CandidateCount,
+            [](const Candidate& a, const Candidate& b)
+            { return a.Gap < b.Gap || (a.Gap == b.Gap && a.Number < b.Number); });
+}
+
+// From the candidates that were chosen before, by half a radius.
+bool FieldGaps::IsApart(std::size_t number, std::size_t chosen) const noexcept
+{
+  const auto placeOf = [this](std::size_t n)
+  { return Vector3(this->Points[n].Axis + this->Radius * this->Points[n].Outward); };
+  return std::none_of(
+      this->Candidates.begin(), this->Candidates.begin() + chosen,
+      [&](const Candidate& other)
+      { return (placeOf(other.Number) - placeOf(number)).norm() < 0.5 * this->Radius; });
 }
 
 double FieldGaps::DistanceToBounds(const ToolPose& pose) const noexcept
@@ -31,12 +76,12 @@ double FieldGaps::DistanceToBounds(const ToolPose& pose) const noexcept
 
 void FieldGaps::PlaceAll(const ToolPose& pose, double lifted) noexcept
 {
-  const Matrix3 turned = pose.Orientation.toRotationMatrix();
+  this->Turned = pose.Orientation.toRotationMatrix();
   for (std::size_t n = 0; n < this->Points.size(); ++n)
   {
     const Point& point = this->Points[n];
     this->Places[n] =
-        pose.PositionWorld + turned * (point.Axis + (this->Radius + lifted) * point.Outward);
+        pose.PositionWorld + this->Turned * (point.Axis + (this->Radius + lifted) * point.Outward);
   }
   this->Solid->AreInside(this->Places.data(), this->Places.size(), this->Inside.data());
 }
@@ -80,11 +125,15 @@ double FieldGaps::Gather(const ToolPose& pose, PoseConstraints& limits) noexcept
     return away;
   }
   this->PlaceAll(pose, this->Reach);
-  for (std::size_t n = 0; n < this->Points.size(); ++n)
+  this->FindCandidates();
+  std::size_t chosen = 0;
+  for (std::size_t n = 0; n < this->CandidateCount && chosen < MostFeet; ++n)
   {
-    if (this->Inside[n] != 0)
+    const Candidate candidate = this->Candidates[n];
+    if (this->IsApart(candidate.Number, chosen))
     {
-      this->AddFoot(pose, n, limits);
+      this->Candidates[chosen++] = candidate;
+      this->AddFoot(pose, candidate.Number, limits);
     }
   }
   return 0.0; // what is beyond the reach is unknown

@@ -11,8 +11,9 @@
 namespace palpate
 {
 /// Gaps to a material of a field. Points of the tool's shell, lifted by Reach, tell by one look-up
-/// each where it is near. There the foot slides on the tool's ball to where the ball faces the wall
-/// (the field's level by value and gradient), as that of a sphere does.
+/// each where it is near. From the nearest of these, apart from each other, a foot slides on the
+/// tool's ball to where the ball faces the wall (the field's level by value and gradient), as that
+/// of a sphere does.
 class FieldGaps final : public ToolGaps
 {
 public:
@@ -31,8 +32,17 @@ private:
     Vector3 Outward;
   };
 
+  // A point that is near, and how far the wall is from it, mm.
+  struct Candidate
+  {
+    double Gap;
+    std::size_t Number;
+  };
+
   double DistanceToBounds(const ToolPose& pose) const noexcept;
   void PlaceAll(const ToolPose& pose, double lifted) noexcept;
+  void FindCandidates() noexcept;
+  bool IsApart(std::size_t number, std::size_t chosen) const noexcept;
   void AddFoot(const ToolPose& pose, std::size_t number, PoseConstraints& limits) const noexcept;
 
   std::shared_ptr<const FieldSolid> Solid;
@@ -40,8 +50,11 @@ private:
   double Radius; // mm
   double Extent; // mm
   double Reach;  // mm
+  Matrix3 Turned = Matrix3::Identity();
   std::vector<Point> Points;
   std::vector<Vector3> Places; // of the points, in the world
   std::vector<unsigned char> Inside;
+  std::vector<Candidate> Candidates;
+  std::size_t CandidateCount = 0;
 };
 } // namespace palpate

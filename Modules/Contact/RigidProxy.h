@@ -24,7 +24,7 @@ struct ToolWrench
 class RigidProxy
 {
 public:
-  static constexpr int StepsPerTick = 24;
+  static constexpr int StepsPerTick = 12;
   static constexpr double Stride = 0.25; ///< mm, of the farthest point, where something is near
   static constexpr double Margin = 1.0;  ///< mm: what is farther off does not constrain a step
   /// rad in a tick, of a tool that touches: one that tips over an edge comes to rest in some ticks.
@@ -64,7 +64,7 @@ public:
       this->KeepWithin(longest, twist);
       this->Move(twist);
       turned += twist.Turn.norm();
-      if (full < Arrived)
+      if (full < Arrived || (step >= StepsToRest && full < Resting))
       {
         return true;
       }
@@ -84,6 +84,9 @@ public:
 
 private:
   static constexpr double Arrived = 1e-6; // mm
+  // Where the normal jumps, as from voxel to voxel, it may go to and fro by this much (mm).
+  static constexpr double Resting = 5e-3;
+  static constexpr int StepsToRest = 4;
 
   Twist TowardsHand(const ToolPose& hand) const noexcept;
   double WayOf(const Twist& twist) const noexcept

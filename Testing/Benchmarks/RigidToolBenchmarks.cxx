@@ -29,13 +29,13 @@ public:
     const auto organ = std::make_shared<const RadialModel>(test::RandomOrgan(random, degree));
     Vector3 place = Vector3::UnitX();
     Vector3 axis = test::RandomDirection(random);
+    const auto lying = Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis);
     while (this->Path.size() < Ticks)
     {
       axis = (axis + 0.02 * test::RandomDirection(random)).normalized();
       place = (Eigen::AngleAxisd(0.05 / 20.0, axis) * place).normalized();
       const Vector3 normal = organ->Normal(place);
-      this->Path.push_back({organ->PointWorld(place) + (ToolRadius - Depth) * normal,
-                            Eigen::Quaterniond::FromTwoVectors(Vector3::UnitZ(), axis)});
+      this->Path.push_back({organ->PointWorld(place) + (ToolRadius - Depth) * normal, lying});
     }
     std::shared_ptr<const ContactModel> model;
     std::unique_ptr<ToolGaps> gaps;
