@@ -1,6 +1,7 @@
 #include "TouchRay.h"
 
 #include "FieldSolid.h"
+#include "SoleTracker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +9,33 @@
 
 namespace palpate
 {
+namespace
+{
+// How a hand that does not turn holds the tool.
+Eigen::Quaterniond TurnOf(const TouchScene& scene)
+{
+  return scene.Frame.PoseWorld(DeviceSample()).Orientation;
+}
+
+// As ServoScene chooses it.
+Status MakeTracker(const ContactModel& model, const TouchScene& scene,
+                   std::unique_ptr<ContactTracker>& tracker)
+{
+  const ToolSkeleton* const skeleton = scene.Tool.Skeleton();
+  if (skeleton == nullptr || scene.Drill.Link != nullptr)
+  {
+    return model.MakeTracker(scene.Tool, SurfaceFriction(), tracker);
+  }
+  std::unique_ptr<ToolGaps> gaps;
+  const Status status = model.MakeGaps(scene.Tool, SurfaceFriction(), gaps);
+  if (status.IsOk())
+  {
+    tracker = std::make_unique<SoleTracker>(*skeleton, std::move(gaps));
+  }
+  return status;
+}
+} // namespace
+
 // The part of the line on which a structure may be met.
 struct TouchRay::Way
 {
@@ -15,13 +43,9 @@ struct TouchRay::Way
   Vector3 Direction; // unit
   double Begin = 0.0;
   double End = 0.0; // mm from From
+  Eigen::Quaterniond Turn = Eigen::Quaterniond::Identity();
 
-  ToolPose At(double along) const
-  {
-    ToolPose pose;
-    pose.PositionWorld = this->From + along * this->Direction;
-    return pose;
-  }
+  ToolPose At(double along) const { return {this->From + along * this->Direction, this->Turn}; }
   // Keeps what lies in a box; false if nothing does.
   bool Clip(const Eigen::AlignedBox3d& box)
   {
@@ -61,8 +85,7 @@ ContactTracker* TouchRay::TrackerOf(std::size_t structure)
   const TouchStructure& touched = this->Scene->Structures[structure];
   if (tracker == nullptr && !this->CannotBeTouched[structure])
   {
-    this->CannotBeTouched[structure] =
-        !touched.Model->MakeTracker(this->Scene->Tool, SurfaceFriction(), tracker).IsOk();
+    this->CannotBeTouched[structure] = !MakeTracker(*touched.Model, *this->Scene, tracker).IsOk();
   }
   const auto site = static_cast<std::size_t>(touched.Site);
   // A version that no solid could be made of leaves the one before.
@@ -118,8 +141,7 @@ std::optional<TouchRay::Rest> TouchRay::FirstOn(std::size_t structure, const Way
 
 bool TouchRay::IsFree(const Vector3& toolWorld)
 {
-  ToolPose pose;
-  pose.PositionWorld = toolWorld;
+  const ToolPose pose{toolWorld, TurnOf(*this->Scene)};
   for (std::size_t s = 0; s < this->Scene->Structures.size(); ++s)
   {
     const Eigen::AlignedBox3d bounds = this->Scene->Structures[s].Model->BoundsWorld();
@@ -145,7 +167,7 @@ std::optional<TouchRay::Rest> TouchRay::First(const Vector3& from, const Vector3
   {
     return std::nullopt;
   }
-  Way whole{from, (to - from) / length, 0.0, length};
+  Way whole{from, (to - from) / length, 0.0, length, TurnOf(*this->Scene)};
   std::optional<Rest> first;
   for (std::size_t s = 0; s < this->Scene->Structures.size(); ++s)
   {

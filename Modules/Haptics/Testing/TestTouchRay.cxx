@@ -81,6 +81,23 @@ TEST(TouchRay, ToolRestsWhereASphereWouldStopIt)
   }
 }
 
+TEST(TouchRay, CapsuleRestsOnItsSideAndOnItsEnd)
+{
+  constexpr double Length = 10.0; // mm, along z
+  for (const Kind& kind : Spheres())
+  {
+    TouchScene scene = SceneOf({kind.Model});
+    scene.Tool = ToolShape::Capsule(ToolRadius, Length, 200);
+    TouchRay ray(std::make_shared<const TouchScene>(scene));
+    const auto side = ray.First({60.0, 0.0, 0.0}, Vector3::Zero());
+    ASSERT_TRUE(side);
+    EXPECT_NEAR(side->ToolWorld.x(), Radius + ToolRadius, kind.Tolerance + 0.02);
+    const auto end = ray.First({0.0, 0.0, 60.0}, Vector3::Zero());
+    ASSERT_TRUE(end);
+    EXPECT_NEAR(end->ToolWorld.z(), Radius + ToolRadius + 0.5 * Length, kind.Tolerance + 0.02);
+  }
+}
+
 TEST(TouchRay, LinesThatMissHaveNoRest)
 {
   for (const Kind& kind : Spheres())
