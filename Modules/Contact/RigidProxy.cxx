@@ -1,22 +1,13 @@
 #include "RigidProxy.h"
 
+#include "TurnBetween.h"
+
 namespace palpate
 {
-namespace
-{
-// From `from` to `to`, on the shorter way: rad, in the world.
-Vector3 RotationBetween(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) noexcept
-{
-  const Eigen::AngleAxisd turn(to * from.conjugate());
-  const double angle = turn.angle() > EIGEN_PI ? turn.angle() - 2.0 * EIGEN_PI : turn.angle();
-  return angle * turn.axis();
-}
-} // namespace
-
 Twist RigidProxy::TowardsHand(const ToolPose& hand) const noexcept
 {
   return {hand.PositionWorld - this->Now.PositionWorld,
-          RotationBetween(this->Now.Orientation, hand.Orientation)};
+          TurnBetween(this->Now.Orientation, hand.Orientation)};
 }
 
 // As far as nothing can be, since a distance changes by no more than the way; where something is

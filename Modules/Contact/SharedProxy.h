@@ -22,7 +22,6 @@ public:
 
   /// Adds a structure; returns its number, which counts from 0.
   std::size_t Add(std::unique_ptr<ToolGaps> gaps);
-  std::size_t Size() const noexcept { return this->Members.size(); }
 
   /// Begins at this pose, among the `count` structures of these numbers.
   void Begin(const ToolPose& pose, const std::uint32_t* near, std::size_t count) noexcept;

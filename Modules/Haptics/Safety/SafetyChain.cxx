@@ -1,5 +1,7 @@
 #include "SafetyChain.h"
 
+#include "TurnBetween.h"
+
 namespace palpate
 {
 namespace
@@ -13,15 +15,6 @@ double TorqueRate(const SafetySettings& settings) noexcept
   return settings.MaximumForce > 0.0
              ? settings.MaximumSlew / settings.MaximumForce * settings.MaximumTorque
              : 0.0;
-}
-
-// rad, in the device's frame, on the shorter way.
-Vector3 TurnBetween(const DeviceSample& from, const DeviceSample& to) noexcept
-{
-  const Eigen::Map<const Eigen::Quaterniond> before(from.Orientation.data());
-  const Eigen::Map<const Eigen::Quaterniond> after(to.Orientation.data());
-  const Eigen::AngleAxisd turn(after * before.conjugate());
-  return (turn.angle() > EIGEN_PI ? turn.angle() - 2.0 * EIGEN_PI : turn.angle()) * turn.axis();
 }
 } // namespace
 
@@ -58,7 +51,9 @@ void SafetyChain::KeepBooks(const TickObservation& now, const Vector3& path, dou
   this->Energy.Account(this->AppliedContact, path);
   if (this->HasLast && !this->AppliedTorque.isZero(0.0))
   {
-    this->Energy.Account(this->AppliedTorque, TurnBetween(this->Last.Sample, now.Sample));
+    const Eigen::Map<const Eigen::Quaterniond> before(this->Last.Sample.Orientation.data());
+    const Eigen::Map<const Eigen::Quaterniond> after(now.Sample.Orientation.data());
+    this->Energy.Account(this->AppliedTorque, TurnBetween(before, after));
   }
   this->Energy.Credit((this->DeviceDamping * speed + this->DeviceFriction) * speed * period);
 }

@@ -18,11 +18,9 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
   const std::vector<TouchStructure>& structures = next->Shared->Structures;
   std::vector<Eigen::AlignedBox3d> reaches;
   next->Followers.reserve(structures.size());
-  // A drill's feed moves it without turning it.
-  if (status.IsOk() && next->Shared->Tool.Skeleton() != nullptr &&
-      next->Shared->Drill.Link == nullptr)
+  if (const ToolSkeleton* const skeleton = next->Shared->SharedTool())
   {
-    next->Tool = std::make_shared<SharedProxy>(*next->Shared->Tool.Skeleton());
+    next->Tool = std::make_shared<SharedProxy>(*skeleton);
   }
   for (const TouchStructure& structure : structures)
   {

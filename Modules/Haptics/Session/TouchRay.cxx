@@ -17,12 +17,11 @@ Eigen::Quaterniond TurnOf(const TouchScene& scene)
   return scene.Frame.PoseWorld(DeviceSample()).Orientation;
 }
 
-// As ServoScene chooses it.
 Status MakeTracker(const ContactModel& model, const TouchScene& scene,
                    std::unique_ptr<ContactTracker>& tracker)
 {
-  const ToolSkeleton* const skeleton = scene.Tool.Skeleton();
-  if (skeleton == nullptr || scene.Drill.Link != nullptr)
+  const ToolSkeleton* const skeleton = scene.SharedTool();
+  if (skeleton == nullptr)
   {
     return model.MakeTracker(scene.Tool, SurfaceFriction(), tracker);
   }

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "Vector3.h"
+
+namespace palpate
+{
+/// The rotation vector (rad) that leads from one orientation to another, on the shorter way.
+inline Vector3 TurnBetween(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) noexcept
+{
+  const Eigen::AngleAxisd turn(to * from.conjugate());
+  const double angle = turn.angle() > EIGEN_PI ? turn.angle() - 2.0 * EIGEN_PI : turn.angle();
+  return angle * turn.axis();
+}
+} // namespace palpate
