@@ -10,7 +10,7 @@ set(PALPATE_PUBLIC_HEADERS
   RadialModel RadialModelFit RadialSamples RayCaster ScalarField ScalarType ShapeAlignment ShapeField ShapeModes
   SideBias SphericalHarmonicBasis SphericalHarmonicRecurrence SphericalPlacement SphericalTriangle Status
   SurfaceCurvature SurfaceEvaluator SurfaceFriction SurfaceModel SurfaceModelFit ToolPose
-  ToolShape TopologyReport TriangleKernel TriangleTree Vector3 VoxelMask WindingNumbers)
+  ToolShape ToolSkeleton TopologyReport TriangleKernel TriangleTree Vector3 VoxelMask WindingNumbers)
 
 # The folder of <palpate/NAME.h> for programs that use a build tree.
 set(PALPATE_BUILD_INCLUDE_DIR "${CMAKE_BINARY_DIR}/include")

@@ -15,7 +15,7 @@ import sys
 PAGE = pathlib.Path(__file__).resolve().parent.parent / "Documentation" / "Safety.md"
 BEGIN = "<!-- Utilities/safety.py writes from here -->\n"
 END = "<!-- to here -->\n"
-FRONTS = ("virtual time", "libusb", "virtual bus", "Inverse3")
+FRONTS = ("virtual time", "libusb", "virtual bus", "Inverse3", "library")
 
 
 def tests_of(path):
@@ -53,7 +53,8 @@ def main():
     if not rows:
         sys.exit("no test recorded a fault")
     lines = ["| fault | virtual time: ticks from the fault (from its cause) | libusb: ms, likewise "
-             "| virtual bus: ms | Inverse3: ticks from the cause, most of 50 |", "| --- | --- | --- | --- | --- |"]
+             "| virtual bus: ms | Inverse3: ticks from the cause, most of 50 | makers' libraries, force and torque: "
+             "likewise |", "| --- | --- | --- | --- | --- | --- |"]
     lines += [f"| {words(fault)} | " + " | ".join(row.get(front, "–") for front in FRONTS) + " |"
               for fault, row in sorted(rows.items(), key=lambda item: words(item[0]))]
     before, rest = PAGE.read_text().split(BEGIN)

@@ -12,6 +12,8 @@ mkdir -p "$out"
 "$bin/FalconUsbTests" --gtest_brief=1 --gtest_filter='*StopOverUsb*' --gtest_output="json:$out/libusb.json"
 "$bin/Inverse3Tests" --gtest_brief=1 --gtest_filter='*Inverse3Faults*' --gtest_repeat=50 \
   --gtest_output="json:$out/inverse3.json"
+"$bin/VendorTests" --gtest_brief=1 --gtest_filter='*VendorFaults*' --gtest_repeat=50 \
+  --gtest_output="json:$out/library.json"
 umockdev-wrapper "$bin/FalconBusTests" --gtest_brief=1 --gtest_filter='FalconGuardOfLink*' \
   --gtest_output="json:$out/guard.json"
 umockdev-wrapper "$bin/CliFalconTests" --gtest_brief=1 --gtest_filter='*CliFalconEnds*' \

@@ -1,6 +1,7 @@
 #include "DevicesCommand.h"
 
 #include "Console.h"
+#include "DecimalText.h"
 #include "DeviceHoming.h"
 #include "DeviceList.h"
 #include "DeviceOption.h"
@@ -22,11 +23,9 @@ namespace
 {
 nlohmann::ordered_json AsJson(const DeviceReport& report)
 {
-  nlohmann::ordered_json object{{JsonSchemaKey, JsonSchemaVersion},
-                                {"name", report.Name},
-                                {"description", report.Description},
-                                {"there", report.IsThere},
-                                {"details", report.Details}};
+  nlohmann::ordered_json object{{JsonSchemaKey, JsonSchemaVersion},  {"name", report.Name},
+                                {"description", report.Description}, {"there", report.IsThere},
+                                {"untried", report.IsUntried},       {"details", report.Details}};
   if (report.IsThere)
   {
     const DeviceCapabilities& device = report.Capabilities;
@@ -35,6 +34,7 @@ nlohmann::ordered_json AsJson(const DeviceReport& report)
     object["degrees_of_freedom"] = device.DegreesOfFreedom;
     object["workspace_mm"] = {size[0], size[1], size[2]};
     object["force_max_n"] = device.MaximumForce;
+    object["torque_max_n_mm"] = device.MaximumTorque;
     object["stiffness_max_n_per_mm"] = device.MaximumStiffness;
     object["resolution_mm"] = device.Resolution;
     object["rate_hz"] = device.Rate;
@@ -45,17 +45,19 @@ nlohmann::ordered_json AsJson(const DeviceReport& report)
 void Print(const DeviceReport& report, std::ostream& out)
 {
   out << Printable(report.Name + ": " + report.Description) << '\n';
+  out << "  " << Printable(StateLine(report)) << '\n';
   if (!report.IsThere)
   {
-    out << "  " << Printable(report.Details) << '\n';
     return;
   }
   const DeviceCapabilities& device = report.Capabilities;
   const Vector3 size = device.Workspace.sizes();
-  out << "  " << Printable(device.Name + ", " + report.Details) << "; " << device.DegreesOfFreedom
-      << " degrees of freedom, " << size[0] << " x " << size[1] << " x " << size[2] << " mm\n"
-      << "  at most " << device.MaximumForce << " N and " << device.MaximumStiffness
-      << " N/mm; positions to " << device.Resolution << " mm, " << device.Rate << " Hz\n";
+  out << "  " << device.DegreesOfFreedom << " degrees of freedom, " << size[0] << " x " << size[1]
+      << " x " << size[2] << " mm; at most " << device.MaximumForce << " N, "
+      << (device.MaximumTorque > 0.0 ? SignificantText(device.MaximumTorque) + " N mm"
+                                     : "no torque")
+      << ", " << device.MaximumStiffness << " N/mm; positions to " << device.Resolution << " mm, "
+      << device.Rate << " Hz\n";
 }
 
 double Milliseconds(std::int64_t nanoseconds)

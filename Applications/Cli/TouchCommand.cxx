@@ -168,10 +168,19 @@ void TouchCommand::DeclareStructure(CLI::App& app)
       ->type_name("MM")
       ->check(FiniteNumber::Between(0.0, ContactLimits::ToolRadius))
       ->capture_default_str();
-  app.add_option("--tool-length", this->ToolLength,
-                 "Length of a capsule's axis, which tips where it touches, mm (0: a sphere)")
+  CLI::Option* const length =
+      app.add_option("--tool-length", this->ToolLength,
+                     "Length of a capsule's axis, which tips where it touches, mm (0: a sphere)")
+          ->type_name("MM")
+          ->check(FiniteNumber::Between(0.0, 1000.0))
+          ->capture_default_str();
+  app.add_option(
+         "--tool-shaft", this->ToolShaft,
+         "Radius of the shaft of a drill or needle, whose ball has --tool-radius, and which "
+         "is --tool-length long, mm (0: no shaft)")
       ->type_name("MM")
-      ->check(FiniteNumber::Between(0.0, 1000.0))
+      ->check(FiniteNumber::Between(0.0, ContactLimits::ToolRadius))
+      ->needs(length)
       ->capture_default_str();
   app.add_option(
          "--tool-points", this->Tool.Points,
@@ -294,8 +303,10 @@ SceneSettings TouchCommand::Settings() const
     settings.Tool = this->Tool;
     if (this->ToolLength > 0.0)
     {
-      settings.Tool.Kind = TouchToolSettings::Shape::Capsule;
+      settings.Tool.Kind = this->ToolShaft > 0.0 ? TouchToolSettings::Shape::Drill
+                                                 : TouchToolSettings::Shape::Capsule;
       settings.Tool.Length = this->ToolLength;
+      settings.Tool.ShaftRadius = this->ToolShaft;
     }
     // Without a segmentation the scene tells that it has no use for labels.
     const bool hasLabels =

@@ -54,6 +54,7 @@ private:
   std::string Interpolation = "linear";
   TouchToolSettings Tool;
   double ToolLength = 0.0; // mm; 0: a sphere
+  double ToolShaft = 0.0;  // mm; 0: a capsule
   std::string Device;
   std::string Firmware;
   double Rate = 0.0;         ///< Hz; 0: the scene's

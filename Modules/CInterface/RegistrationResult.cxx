@@ -1,9 +1,11 @@
 #include "RegistrationResult.h"
 
+#include "BodyMotion.h"
 #include "ComparedHandle.h"
 #include "ErrorText.h"
 #include "LandmarkRegistration.h"
 #include "SurfaceRegistration.h"
+#include "palpate_shape.h"
 
 #include <algorithm>
 #include <limits>
@@ -43,6 +45,38 @@ int ToldOfRegistration(const Status& status, palpate_error* error)
 {
   return Told(status.IsOk() ? status : Status::Failure("the registration " + status.Message()),
               error);
+}
+// Leaves `from` if no start is given.
+bool IsStart(const double* start, Eigen::Affine3d& from, palpate_error* error)
+{
+  if (start != nullptr)
+  {
+    from.matrix() = Eigen::Map<const MapMatrix>(start);
+  }
+  const bool isMap =
+      from.matrix().allFinite() && from.matrix().row(3) == Eigen::RowVector4d(0, 0, 0, 1);
+  if (!isMap)
+  {
+    SetError(error, "the start is no matrix of a map, whose last row is 0, 0, 0, 1");
+  }
+  return isMap;
+}
+
+int RegisterOnto(const std::vector<Vector3>& points, const palpate_compared& surface,
+                 const Eigen::Affine3d& from, RegistrationKind kind, double noise,
+                 palpate_registration& found, palpate_error* error)
+{
+  SurfaceRegistration made;
+  const Status status = RegisterToSurface(points, surface.Body.Surface(), from,
+                                          {kind, noise, StepsFromAfar}, {}, made);
+  if (ToldOfRegistration(status, error) == 0)
+  {
+    return 0;
+  }
+  found = RegistrationOf(made.Map, kind, made.Rms, made.Error);
+  found.median = made.Median;
+  found.has_converged = made.HasConverged ? 1 : 0;
+  return 1;
 }
 } // namespace
 
@@ -98,35 +132,31 @@ int palpate_register_points(const double* points, size_t count, const palpate_co
                             int kind, double noise, const double start[16],
                             palpate_registration* found, palpate_error* error)
 {
-  return Guarded(
-      error, {{points, "points", count}, {surface, "surface"}, {found, "found"}},
-      [&]
-      {
-        if (!IsKind(kind, error))
-        {
-          return 0;
-        }
-        const auto of = static_cast<RegistrationKind>(kind);
-        Eigen::Affine3d from = Eigen::Affine3d::Identity();
-        if (start != nullptr)
-        {
-          from.matrix() = Eigen::Map<const MapMatrix>(start);
-        }
-        if (!from.matrix().allFinite() || from.matrix().row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-        {
-          SetError(error, "the start is no matrix of a map, whose last row is 0, 0, 0, 1");
-          return 0;
-        }
-        SurfaceRegistration made;
-        const Status status = RegisterToSurface(PointsOf(points, count), surface->Body.Surface(),
-                                                from, {of, noise, StepsFromAfar}, {}, made);
-        if (ToldOfRegistration(status, error) == 0)
-        {
-          return 0;
-        }
-        *found = RegistrationOf(made.Map, of, made.Rms, made.Error);
-        found->median = made.Median;
-        found->has_converged = made.HasConverged ? 1 : 0;
-        return 1;
-      });
+  return Guarded(error, {{points, "points", count}, {surface, "surface"}, {found, "found"}},
+                 [&]
+                 {
+                   Eigen::Affine3d from = Eigen::Affine3d::Identity();
+                   return IsKind(kind, error) && IsStart(start, from, error)
+                              ? RegisterOnto(PointsOf(points, count), *surface, from,
+                                             static_cast<RegistrationKind>(kind), noise, *found,
+                                             error)
+                              : 0;
+                 });
+}
+
+int palpate_register_bodies(const palpate_compared* moving, const palpate_compared* fixed, int kind,
+                            double noise, const double start[16], palpate_registration* found,
+                            palpate_error* error)
+{
+  return Guarded(error, {{moving, "moving"}, {fixed, "fixed"}, {found, "found"}},
+                 [&]
+                 {
+                   Eigen::Affine3d from(
+                       Eigen::Translation3d(fixed->Body.Centroid() - moving->Body.Centroid()));
+                   return IsKind(kind, error) && IsStart(start, from, error)
+                              ? RegisterOnto(SomePoints(moving->Body.Surface()), *fixed, from,
+                                             static_cast<RegistrationKind>(kind), noise, *found,
+                                             error)
+                              : 0;
+                 });
 }

@@ -1,8 +1,9 @@
 #ifndef PALPATE_SHAPE_H
 #define PALPATE_SHAPE_H
 
-/* Shapes by touch: organs completed from a few points, corrected by pulls at their surface, and
- * measured along it. A part of palpate.h, whose rules hold here and which includes it. */
+/* Shapes by touch: organs completed from a few points, corrected by pulls at their surface, brought
+ * onto each other, and measured along it. A part of palpate.h, whose rules hold here and which
+ * includes it. */
 
 #include "palpate.h"
 
@@ -82,6 +83,12 @@ extern "C"
                               palpate_error* error);
   /* The corrected model, of degree 20 or that of the start if it is higher. */
   palpate_model* palpate_correction_model(palpate_correction* correction, palpate_error* error);
+
+  /* Brings a body onto another one, by points of its surface, as palpate_register_points. A `start`
+   * of NULL brings their centroids onto each other. Masks are best given as their shapes. */
+  int palpate_register_bodies(const palpate_compared* moving, const palpate_compared* fixed,
+                              int kind, double noise, const double start[16],
+                              palpate_registration* found, palpate_error* error);
 
   /* Lengths along a surface, mm. Several threads may ask one object. */
   typedef struct palpate_geodesics palpate_geodesics;

@@ -3,7 +3,6 @@
 #include "FieldGaps.h"
 #include "FieldProxyTracker.h"
 #include "FrictionCone.h"
-#include "ToolSkeleton.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,18 +10,6 @@
 
 namespace palpate
 {
-namespace
-{
-// About one for each square of a voxel, so that hardly anything as wide slips between them.
-int CapsulePoints(double radius, double length, double voxelSize)
-{
-  constexpr double Fewest = 100.0;
-  constexpr double Most = 600.0;
-  const double area = 2.0 * EIGEN_PI * radius * (2.0 * radius + length);
-  return static_cast<int>(std::clamp(area / (voxelSize * voxelSize), Fewest, Most));
-}
-} // namespace
-
 Status FieldContactModel::Make(const std::shared_ptr<const ScalarField>& field, int material,
                                std::shared_ptr<const ContactModel>& contact)
 {
@@ -73,11 +60,8 @@ Status FieldContactModel::MakeGaps(const ToolShape& tool, const SurfaceFriction&
   const Status status = FrictionCone::Check(friction);
   if (status.IsOk())
   {
-    const auto& balls = tool.Skeleton()->Balls();
-    const double radius = balls.front().Radius;
-    const double length = (balls.back().Center - balls.front().Center).norm();
-    const int points = CapsulePoints(radius, length, this->Solid->VoxelSize());
-    gaps = std::make_unique<FieldGaps>(this->Solid, ToolShape::Capsule(radius, length, points),
+    // So that hardly anything as wide as a voxel slips between the points.
+    gaps = std::make_unique<FieldGaps>(this->Solid, tool.WithSpacing(this->Solid->VoxelSize()),
                                        friction);
   }
   return status;

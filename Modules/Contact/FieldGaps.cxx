@@ -14,17 +14,16 @@ constexpr std::size_t MostCandidates = 64;
 constexpr std::size_t MostFeet = 12;
 } // namespace
 
-// Half a voxel is known around any surface; a stride may not leap over the reach.
+// Half a voxel is known around any surface; a stride may not leap over the reach. Feet are half a
+// radius apart, or a voxel on small balls.
 FieldGaps::FieldGaps(std::shared_ptr<const FieldSolid> solid, const ToolShape& tool,
                      const SurfaceFriction& friction)
-    : Solid(std::move(solid)), Friction(friction), Radius(tool.Skeleton()->Balls().front().Radius),
-      Extent(tool.BoundingRadius()),
-      Reach(std::max(0.5 * Solid->VoxelSize(), 1.2 * RigidProxy::Stride))
+    : ToolGaps(*tool.Skeleton(), friction), Solid(std::move(solid)), Extent(tool.BoundingRadius()),
+      Apart(Solid->VoxelSize()), Reach(std::max(0.5 * Solid->VoxelSize(), 1.2 * RigidProxy::Stride))
 {
   for (std::size_t n = 0; n < tool.Points().size(); ++n)
   {
-    const Vector3 outward = -tool.Normals()[n];
-    this->Points.push_back({tool.Points()[n] - this->Radius * outward, outward});
+    this->Points.push_back({tool.BallAt(n), -tool.Normals()[n]});
   }
   this->Places.resize(this->Points.size());
   this->Inside.resize(this->Points.size());
@@ -58,15 +57,17 @@ void FieldGaps::FindCandidates() noexcept
             { return a.Gap < b.Gap || (a.Gap == b.Gap && a.Number < b.Number); });
 }
 
-// From the candidates that were chosen before, by half a radius.
+// From the candidates that were chosen before.
 bool FieldGaps::IsApart(std::size_t number, std::size_t chosen) const noexcept
 {
-  const auto placeOf = [this](std::size_t n)
-  { return Vector3(this->Points[n].Axis + this->Radius * this->Points[n].Outward); };
-  return std::none_of(
-      this->Candidates.begin(), this->Candidates.begin() + chosen,
-      [&](const Candidate& other)
-      { return (placeOf(other.Number) - placeOf(number)).norm() < 0.5 * this->Radius; });
+  const Point& point = this->Points[number];
+  const double apart = std::max(0.5 * point.Ball.Radius, this->Apart);
+  return std::none_of(this->Candidates.begin(), this->Candidates.begin() + chosen,
+                      [&](const Candidate& other)
+                      {
+                        const Vector3 place = this->Points[other.Number].Place();
+                        return (place - point.Place()).norm() < apart;
+                      });
 }
 
 double FieldGaps::DistanceToBounds(const ToolPose& pose) const noexcept
@@ -80,8 +81,8 @@ void FieldGaps::PlaceAll(const ToolPose& pose, double lifted) noexcept
   for (std::size_t n = 0; n < this->Points.size(); ++n)
   {
     const Point& point = this->Points[n];
-    this->Places[n] =
-        pose.PositionWorld + this->Turned * (point.Axis + (this->Radius + lifted) * point.Outward);
+    const double out = std::max(lifted, -point.Ball.Radius);
+    this->Places[n] = pose.PositionWorld + this->Turned * (point.Place() + out * point.Outward);
   }
   this->Solid->AreInside(this->Places.data(), this->Places.size(), this->Inside.data());
 }
@@ -90,30 +91,32 @@ void FieldGaps::AddFoot(const ToolPose& pose, std::size_t number,
                         PoseConstraints& limits) const noexcept
 {
   constexpr int Slides = 3;
-  const Vector3 axis = pose.Orientation * this->Points[number].Axis;
+  constexpr double Same = 0.1; // of the least distance
+  const ToolSkeleton::Ball& ball = this->Points[number].Ball;
+  const Vector3 toBall = pose.Orientation * ball.Center;
   Vector3 inward = -(pose.Orientation * this->Points[number].Outward);
-  PoseConstraint foot;
   FieldSolid::Wall wall;
+  double turned = 1.0; // cosine, by the last slide
   for (int slide = 0; slide < Slides; ++slide)
   {
-    foot.Arm = axis - this->Radius * inward;
-    wall = this->Solid->WallNear(pose.PositionWorld + foot.Arm, inward);
-    if (!wall.IsKnown || wall.Distance > RigidProxy::Margin)
+    const Vector3 place = pose.PositionWorld + toBall - ball.Radius * inward;
+    wall = this->Solid->WallNear(place, inward);
+    if (!wall.IsKnown)
     {
       return;
     }
+    turned = inward.dot(wall.Normal);
     inward = wall.Normal;
   }
-  const bool isKnown = std::any_of(limits.begin(), limits.end(),
-                                   [&](const PoseConstraint& other)
-                                   { return (other.Arm - foot.Arm).norm() < 0.1 * this->Radius; });
+  const Vector3 arm = toBall - ball.Radius * wall.Normal;
+  const double apart = Same * std::max(ball.Radius, this->Apart);
+  const bool isKnown =
+      std::any_of(limits.begin() + std::min(this->FirstOwn, limits.Size()), limits.end(),
+                  [&](const PoseConstraint& other) { return (other.Arm - arm).norm() < apart; });
   if (!isKnown)
   {
-    foot.Normal = wall.Normal;
-    foot.Gap = wall.Distance;
-    foot.Friction = this->Friction;
-    foot.Source = number;
-    limits.Add(foot);
+    const double gap = wall.Distance - (1.0 - turned) * ball.Radius; // of the ball from the plane
+    this->AddWall(pose, ball, number, {wall.Normal, gap, 0}, limits);
   }
 }
 
@@ -124,6 +127,7 @@ double FieldGaps::Gather(const ToolPose& pose, PoseConstraints& limits) noexcept
   {
     return away;
   }
+  this->FirstOwn = limits.Size();
   this->PlaceAll(pose, this->Reach);
   this->FindCandidates();
   std::size_t chosen = 0;
@@ -145,7 +149,7 @@ bool FieldGaps::IsFreeAt(const ToolPose& pose) noexcept
   {
     return true;
   }
-  this->PlaceAll(pose, -std::min(std::max(Slack, 0.25 * this->Solid->VoxelSize()), this->Radius));
+  this->PlaceAll(pose, -std::max(Slack, 0.25 * this->Solid->VoxelSize()));
   return std::none_of(this->Inside.begin(), this->Inside.end(),
                       [](unsigned char inside) { return inside != 0; });
 }

@@ -23,13 +23,20 @@ public:
 
   double Gather(const ToolPose& pose, PoseConstraints& limits) noexcept override;
   bool IsFreeAt(const ToolPose& pose) noexcept override;
+  bool CanBeDrilled() const noexcept override { return true; }
+  void UseSolid(const FieldSolid& solid) noexcept override
+  {
+    this->Solid = {std::shared_ptr<const FieldSolid>(), &solid}; // does not own it
+  }
 
 private:
-  // A point of the shell: on a ball about a point of the tool's axis.
+  // A point of the shell, on a ball in the tool.
   struct Point
   {
-    Vector3 Axis; // mm, in the tool's frame
-    Vector3 Outward;
+    ToolSkeleton::Ball Ball;
+    Vector3 Outward; // in the tool's frame
+
+    Vector3 Place() const noexcept { return this->Ball.Center + this->Ball.Radius * this->Outward; }
   };
 
   // A point that is near, and how far the wall is from it, mm.
@@ -46,9 +53,8 @@ private:
   void AddFoot(const ToolPose& pose, std::size_t number, PoseConstraints& limits) const noexcept;
 
   std::shared_ptr<const FieldSolid> Solid;
-  SurfaceFriction Friction;
-  double Radius; // mm
   double Extent; // mm
+  double Apart;  // mm, of feet
   double Reach;  // mm
   Matrix3 Turned = Matrix3::Identity();
   std::vector<Point> Points;
@@ -56,5 +62,6 @@ private:
   std::vector<unsigned char> Inside;
   std::vector<Candidate> Candidates;
   std::size_t CandidateCount = 0;
+  std::size_t FirstOwn = 0; // of a step's constraints
 };
 } // namespace palpate

@@ -13,20 +13,25 @@ namespace
 {
 constexpr double Skin = 0.05;      // mm
 constexpr double Room = 0.5;       // mm, around a ball
-constexpr int SearchesOfTick = 12; // of some microseconds
+constexpr int SearchesOfTick = 20; // of some microseconds
 constexpr int WorkOfSearch = 100;  // evaluations
 } // namespace
 
 template <typename Surface>
 OrganGaps<Surface>::OrganGaps(std::shared_ptr<const Surface> surface, const ToolSkeleton& tool,
                               const SurfaceFriction& friction)
-    : Touched(std::move(surface)), Friction(friction), Parts(tool.Balls().size())
+    : ToolGaps(tool, friction), Touched(std::move(surface)), Parts(tool.Balls().size()),
+      Groups(tool.Clusters().size())
 {
   double thickest = 0.0;
   for (std::size_t number = 0; number < this->Parts.size(); ++number)
   {
     this->Parts[number].Ball = tool.Balls()[number];
     thickest = std::max(thickest, tool.Balls()[number].Radius);
+  }
+  for (std::size_t number = 0; number < this->Groups.size(); ++number)
+  {
+    this->Groups[number].Cluster = tool.Clusters()[number];
   }
   if constexpr (Surface::MayCrossItself)
   {
@@ -124,8 +129,8 @@ void OrganGaps<Surface>::Track(Part& part, const Vector3& centerWorld) noexcept
   for (std::size_t n = 0; n < part.WallCount; ++n)
   {
     const ClosestPoint wall = this->Touched->Search().Track(centerWorld, part.Walls[n]);
-    const bool isNear = wall.Converged() &&
-                        std::abs(wall.SignedDistance) < part.Ball.Radius + 2.0 * RigidProxy::Margin;
+    const bool isNear =
+        wall.Converged() && std::abs(wall.SignedDistance) < part.Ball.Radius + WallsWithin;
     const bool isNew = std::none_of(part.Walls.begin(), part.Walls.begin() + kept,
                                     [&](const ClosestPoint& other)
                                     { return (other.PointWorld - wall.PointWorld).norm() < Same; });
@@ -138,22 +143,58 @@ void OrganGaps<Surface>::Track(Part& part, const Vector3& centerWorld) noexcept
   part.TrackedAt = centerWorld;
 }
 
-// Returns whether a wall may be near. The whole surface is searched where one that is unknown could
-// be in the ball, as long as the tick has time for it; what is left has its turn in the next one.
+// mm from the nearest wall of all to any ball of the group, at least. What a search has proven
+// serves until the group has moved on.
 template <typename Surface>
-bool OrganGaps<Surface>::LookAround(Part& part, const Vector3& centerWorld) noexcept
+double OrganGaps<Surface>::LookAround(Group& group, const Vector3& centerWorld) noexcept
 {
-  const double unknown = this->UnknownAt(part, centerWorld);
+  constexpr double Renewed = 0.5; // mm
+  const double known = group.Searched.DistanceAt(centerWorld) - group.Cluster.Radius;
+  const bool hasMoved =
+      !group.HasSearched || (centerWorld - group.Searched.CenterWorld).norm() > Renewed;
+  if (known >= RigidProxy::Margin || !hasMoved || this->SearchesLeft <= 0)
+  {
+    return known;
+  }
+  --this->SearchesLeft;
+  const ClosestPoint found =
+      group.HasSearched
+          ? this->Touched->Search().Clearance(centerWorld, group.Cluster.Radius, WorkOfSearch,
+                                              group.Found)
+          : this->Touched->Search().Clearance(centerWorld, group.Cluster.Radius, WorkOfSearch);
+  if (found.State == ClosestPoint::Outcome::BadInput)
+  {
+    return known;
+  }
+  group.Searched = {centerWorld, std::abs(found.SignedDistance) - found.DistanceError};
+  group.HasSearched = true;
+  group.Found = found;
+  return group.Searched.Distance - group.Cluster.Radius;
+}
+
+// Returns whether a wall may be near. A ball without a wall follows the group's from there. The
+// whole surface is searched where one that is unknown could be in the ball, as long as the tick has
+// time for it; what is left has its turn in the next one.
+template <typename Surface>
+bool OrganGaps<Surface>::LookAround(Part& part, const Group& group, const Vector3& centerWorld,
+                                    PoseConstraints& limits) noexcept
+{
+  const double unknown = UnknownAt(part, group, centerWorld);
   if (unknown >= RigidProxy::Margin)
   {
     return false;
   }
-  if (this->HasMoved(part, centerWorld))
+  const bool isNew = part.WallCount == 0 && group.HasSearched;
+  if (isNew)
+  {
+    this->Keep(part, group.Found);
+  }
+  if (isNew || this->HasMoved(part, centerWorld))
   {
     this->Track(part, centerWorld);
   }
   const bool isDue = (unknown <= -Skin || part.WallCount == 0) && !this->FitsWhereItIs(part);
-  if (isDue && (this->SearchesLeft > 0 || !part.HasSearched))
+  if (isDue && this->SearchesLeft > 0)
   {
     --this->SearchesLeft;
     this->Track(part, centerWorld);
@@ -161,32 +202,48 @@ bool OrganGaps<Surface>::LookAround(Part& part, const Vector3& centerWorld) noex
   }
   else if (isDue)
   {
-    this->First = static_cast<std::size_t>(&part - this->Parts.data());
+    this->First = static_cast<std::size_t>(&group - this->Groups.data());
+    if (part.WallCount == 0)
+    {
+      limits.Hold();
+    }
   }
   return true;
+}
+
+template <typename Surface>
+double OrganGaps<Surface>::GatherOf(Part& part, const Group& group, const ToolPose& pose,
+                                    PoseConstraints& limits) noexcept
+{
+  const Vector3 center = pose.PositionWorld + pose.Orientation * part.Ball.Center;
+  const bool isNear = this->LookAround(part, group, center, limits);
+  const auto number = static_cast<std::size_t>(&part - this->Parts.data());
+  for (std::size_t n = 0; isNear && n < part.WallCount; ++n)
+  {
+    const ClosestPoint& wall = part.Walls[n];
+    this->AddWall(pose, part.Ball, number, {wall.Normal, GapAt(part, wall, center), n}, limits);
+  }
+  return UnknownAt(part, group, center);
 }
 
 template <typename Surface>
 double OrganGaps<Surface>::Gather(const ToolPose& pose, PoseConstraints& limits) noexcept
 {
   double nearest = std::numeric_limits<double>::max();
-  for (std::size_t k = 0; k < this->Parts.size(); ++k)
+  for (std::size_t k = 0; k < this->Groups.size(); ++k)
   {
-    const std::size_t number = (this->First + k) % this->Parts.size();
-    Part& part = this->Parts[number];
-    const Vector3 arm = pose.Orientation * part.Ball.Center;
-    const Vector3 center = pose.PositionWorld + arm;
-    const bool isNear = this->LookAround(part, center);
-    nearest = std::min(nearest, this->UnknownAt(part, center));
-    for (std::size_t n = 0; isNear && n < part.WallCount; ++n)
+    Group& group = this->Groups[(this->First + k) % this->Groups.size()];
+    const ToolSkeleton::Cluster& cluster = group.Cluster;
+    const Vector3 center = pose.PositionWorld + pose.Orientation * cluster.Center;
+    const double away = cluster.End - cluster.Begin > 1 ? this->LookAround(group, center) : 0.0;
+    if (away >= RigidProxy::Margin)
     {
-      const ClosestPoint& wall = part.Walls[n];
-      const double gap = this->GapAt(part, wall, center);
-      if (gap < RigidProxy::Margin)
-      {
-        limits.Add({arm - part.Ball.Radius * wall.Normal, wall.Normal, gap, this->Friction,
-                    number * SourcesOfPart + n});
-      }
+      nearest = std::min(nearest, away);
+      continue;
+    }
+    for (std::size_t n = cluster.Begin; n < cluster.End; ++n)
+    {
+      nearest = std::min(nearest, this->GatherOf(this->Parts[n], group, pose, limits));
     }
   }
   return nearest;

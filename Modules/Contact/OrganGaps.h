@@ -7,6 +7,7 @@
 #include "TouchableSurfaceModel.h"
 #include "WedgePlaces.h"
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <utility>
@@ -18,7 +19,8 @@ namespace palpate
 /// walls, by Newton's method; between small steps a wall is its tangent plane. A ball that is known
 /// to fit where it is has one wall. For others the whole surface is searched again where the ball
 /// has come so near that a wall which it does not know could be Skin deep in it: nothing else
-/// enters a ball, as the last search has proven.
+/// enters a ball, as the last search has proven. A cluster of balls is searched as one, and none of
+/// them is asked while nothing is near the cluster.
 template <typename Surface>
 class OrganGaps final : public ToolGaps
 {
@@ -46,29 +48,42 @@ private:
     bool HasSearched = false;
   };
 
-  // mm from the ball to the nearest wall of all, at least.
-  double UnknownAt(const Part& part, const Vector3& centerWorld) const noexcept
+  struct Group
   {
-    return part.Searched.DistanceAt(centerWorld) - part.Ball.Radius;
+    ToolSkeleton::Cluster Cluster;
+    ProvenBall Searched;
+    ClosestPoint Found{}; // by the last search
+    bool HasSearched = false;
+  };
+
+  // mm from the ball to the nearest wall of all, at least.
+  static double UnknownAt(const Part& part, const Group& group, const Vector3& centerWorld) noexcept
+  {
+    return std::max(part.Searched.DistanceAt(centerWorld), group.Searched.DistanceAt(centerWorld)) -
+           part.Ball.Radius;
   }
-  double GapAt(const Part& part, const ClosestPoint& wall,
-               const Vector3& centerWorld) const noexcept
+  static double GapAt(const Part& part, const ClosestPoint& wall,
+                      const Vector3& centerWorld) noexcept
   {
     return wall.SignedDistance + wall.Normal.dot(centerWorld - part.TrackedAt) - part.Ball.Radius;
   }
   bool HasMoved(const Part& part, const Vector3& centerWorld) const noexcept;
   bool FitsWhereItIs(const Part& part) const noexcept;
-  bool LookAround(Part& part, const Vector3& centerWorld) noexcept;
+  double LookAround(Group& group, const Vector3& centerWorld) noexcept;
+  bool LookAround(Part& part, const Group& group, const Vector3& centerWorld,
+                  PoseConstraints& limits) noexcept;
   void Search(Part& part, const Vector3& centerWorld) noexcept;
+  double GatherOf(Part& part, const Group& group, const ToolPose& pose,
+                  PoseConstraints& limits) noexcept;
   void Keep(Part& part, const ClosestPoint& found) noexcept;
   void Track(Part& part, const Vector3& centerWorld) noexcept;
 
   std::shared_ptr<const Surface> Touched;
-  SurfaceFriction Friction;
   bool Fits = false;                         // balls, with Room around them, into every hollow
   std::shared_ptr<const WedgePlaces> Places; // of a surface model: where they do
   std::vector<Part> Parts;
-  std::size_t First = 0; // the part that may search first in this tick
+  std::vector<Group> Groups;
+  std::size_t First = 0; // the group whose parts may search first in this tick
   int SearchesLeft = 0;  // in this tick
   std::size_t FirstAsked = 0;
 };

@@ -101,14 +101,22 @@ void PoseConstraints::ForgetPushes() noexcept
   }
 }
 
-// Returns by how much the multiplier changes, mm.
-double PoseConstraints::PushOne(PoseConstraint& at, Twist& twist, double perTurn) const noexcept
+// What a push does, in the units of a sweep: its lever, and by how much its point moves for a unit.
+struct PoseConstraints::PushRow
 {
-  const Vector3 lever = at.Arm.cross(at.Normal);
-  const double by =
-      std::max(-at.Push, -GapAfter(at, twist) / (1.0 + perTurn * lever.squaredNorm()));
+  Vector3 Lever;
+  double PerGap = 0.0;
+};
+
+// Returns by how much the multiplier changes, mm.
+double PoseConstraints::PushOne(PoseConstraint& at, const PushRow& row, double perTurn,
+                                Twist& twist) noexcept
+{
+  const double gap = at.Normal.dot(twist.Shift) + row.Lever.dot(twist.Turn) + at.Gap;
+  const double by = std::max(-at.Push, -gap * row.PerGap);
   at.Push += by;
-  Apply(by * at.Normal, at.Arm, perTurn, twist);
+  twist.Shift += by * at.Normal;
+  twist.Turn += by * perTurn * row.Lever;
   return std::abs(by);
 }
 
@@ -183,13 +191,19 @@ Twist PoseConstraints::Solve(const Twist& wanted, double length) noexcept
   const bool isSlippery =
       std::all_of(this->begin(), this->end(),
                   [](const PoseConstraint& at) { return at.Friction.Static == 0.0; });
+  std::array<PushRow, Most> rows;
+  for (std::size_t n = 0; n < this->Count; ++n)
+  {
+    rows[n].Lever = this->All[n].Arm.cross(this->All[n].Normal);
+    rows[n].PerGap = 1.0 / (1.0 + perTurn * rows[n].Lever.squaredNorm());
+  }
   for (int sweep = 0; sweep < MostSweeps; ++sweep)
   {
     double change = 0.0;
     for (std::size_t n = 0; n < this->Count; ++n)
     {
       PoseConstraint& at = this->All[n];
-      change = std::max(change, this->PushOne(at, twist, perTurn));
+      change = std::max(change, PushOne(at, rows[n], perTurn, twist));
       if (at.Friction.Static > 0.0)
       {
         change = std::max(change, this->DragOne(at, twist, perTurn));

@@ -27,6 +27,7 @@ struct PoseConstraint
   double Push = 0.0;              ///< mm: its multiplier, kept as the next solution's start
   Vector3 Drag = Vector3::Zero(); ///< mm, along the plane: the multiplier of friction
   bool IsSlipping = false;        ///< the dynamic coefficient holds until it comes to rest
+  bool Cuts = true;               ///< of the body's part there, where it drills
 
   /// By how much it moves the body's origin, mm.
   Vector3 Shift() const noexcept { return this->Push * this->Normal + this->Drag; }
@@ -38,7 +39,14 @@ class PoseConstraints
 public:
   static constexpr std::size_t Most = 32;
 
-  void Clear() noexcept { this->Count = 0; }
+  void Clear() noexcept
+  {
+    this->Count = 0;
+    this->IsHeld = false;
+  }
+  /// What is near a part of the body is not known yet: the body must stay until the next tick.
+  void Hold() noexcept { this->IsHeld = true; }
+  bool Holds() const noexcept { return this->IsHeld; }
   /// Of what is added from now on; its sources are told apart from those of others.
   void SetOwner(std::size_t owner) noexcept { this->Owner = owner; }
   static constexpr std::size_t SourcesOfOwner = std::size_t{1} << 20;
@@ -63,11 +71,14 @@ public:
 
 private:
   bool SolveHeld(const Twist& wanted, double perTurn, Twist& twist) noexcept;
-  double PushOne(PoseConstraint& at, Twist& twist, double perTurn) const noexcept;
+  struct PushRow;
+  static double PushOne(PoseConstraint& at, const PushRow& row, double perTurn,
+                        Twist& twist) noexcept;
   double DragOne(PoseConstraint& at, Twist& twist, double perTurn) const noexcept;
 
   std::array<PoseConstraint, Most> All;
   std::size_t Count = 0;
   std::size_t Owner = 0;
+  bool IsHeld = false;
 };
 } // namespace palpate

@@ -23,7 +23,8 @@ double RigidProxy::LongestWay(double nearest, const Twist& twist, double turned)
   return std::min(longest, std::max(FastestTurn - turned, 0.0) / turn * this->WayOf(twist));
 }
 
-// What the last step left too deep is mended in full.
+// What the last step left too deep is mended in full, unless that would lead to walls that are not
+// in the way.
 void RigidProxy::KeepWithin(double longest, Twist& twist) noexcept
 {
   const double way = this->WayOf(twist);
@@ -31,32 +32,33 @@ void RigidProxy::KeepWithin(double longest, Twist& twist) noexcept
   {
     this->Limits.ForgetPushes();
     twist = this->Limits.Solve({longest / way * twist.Shift, longest / way * twist.Turn},
-                               this->Gyration);
+                               this->TurnLength);
+    const double mended = this->WayOf(twist);
+    const double most = longest + 0.9 * (InTheWay - Stride);
+    if (mended > most)
+    {
+      twist = {most / mended * twist.Shift, most / mended * twist.Turn};
+    }
   }
 }
 
 void RigidProxy::Move(const Twist& twist) noexcept
 {
   this->Now.PositionWorld += twist.Shift;
-  const double angle = twist.Turn.norm();
-  if (angle > 0.0)
-  {
-    this->Now.Orientation =
-        (Eigen::AngleAxisd(angle, twist.Turn.normalized()) * this->Now.Orientation).normalized();
-  }
+  this->Now.Orientation = TurnedBy(twist.Turn, this->Now.Orientation);
 }
 
 ToolWrench RigidProxy::WrenchOn(const ToolPose& hand, double stiffness) const noexcept
 {
   const Twist back = this->TowardsHand(hand);
-  const double length = this->Gyration;
+  const double length = this->TurnLength;
   return {-stiffness * back.Shift, -stiffness * length * length * back.Turn};
 }
 
 double RigidProxy::EnergyOf(const ToolPose& hand, double stiffness) const noexcept
 {
   const Twist back = this->TowardsHand(hand);
-  const double length = this->Gyration;
+  const double length = this->TurnLength;
   return 0.5 * stiffness * (back.Shift.squaredNorm() + length * length * back.Turn.squaredNorm());
 }
 

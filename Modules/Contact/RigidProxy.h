@@ -3,6 +3,7 @@
 #include "PoseConstraints.h"
 #include "ToolPose.h"
 #include "ToolSkeleton.h"
+#include "ToolWrench.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,13 +11,6 @@
 
 namespace palpate
 {
-/// What a hand feels of a tool that is held up: N, and N mm about the tool's origin.
-struct ToolWrench
-{
-  Vector3 Force = Vector3::Zero();
-  Vector3 Torque = Vector3::Zero();
-};
-
 /// The pose of a stiff tool that follows a hand's as closely as it can without entering anything:
 /// one god object for all structures, which may be touched in several places at once. Force and
 /// torque are the gradient of one energy, k |shift|^2 / 2 + k L^2 angle^2 / 2 of hand and proxy
@@ -26,12 +20,16 @@ class RigidProxy
 public:
   static constexpr int StepsPerTick = 12;
   static constexpr double Stride = 0.25; ///< mm, of the farthest point, where something is near
-  static constexpr double Margin = 1.0;  ///< mm: what is farther off does not constrain a step
+  static constexpr double Margin = 1.0;  ///< mm: what is farther off is not near
+  /// mm: what is farther off does not constrain a step, which may be a stride long.
+  static constexpr double InTheWay = 0.5;
   /// rad in a tick, of a tool that touches: one that tips over an edge comes to rest in some ticks.
   static constexpr double FastestTurn = 0.02;
 
-  explicit RigidProxy(const ToolSkeleton& tool)
-      : Gyration(tool.Gyration()), Extent(tool.BoundingRadius())
+  explicit RigidProxy(const ToolSkeleton& tool) : RigidProxy(tool, tool.Gyration()) {}
+  /// `gyration` (mm) instead of the tool's: how much a turn counts as a shift.
+  RigidProxy(const ToolSkeleton& tool, double gyration)
+      : TurnLength(gyration), Extent(tool.BoundingRadius())
   {
   }
 
@@ -42,7 +40,7 @@ public:
     this->Solved.Clear();
   }
   /// Follows the hand as far as the steps of a tick lead. `gather(pose, constraints)` adds all that
-  /// is within Margin of the tool there, and returns how far (mm) the nearest of all is at least.
+  /// is in the way of the tool there, and returns how far (mm) the nearest of all is at least.
   /// Returns whether the proxy has arrived. Does not allocate.
   template <typename Gather>
   bool Follow(const ToolPose& hand, const Gather& gather) noexcept
@@ -52,8 +50,12 @@ public:
     {
       this->Limits.Clear();
       const double nearest = gather(this->Now, this->Limits);
+      if (this->Limits.Holds())
+      {
+        return false;
+      }
       this->Limits.StartFrom(this->Solved);
-      Twist twist = this->Limits.Solve(this->TowardsHand(hand), this->Gyration);
+      Twist twist = this->Limits.Solve(this->TowardsHand(hand), this->TurnLength);
       this->Solved = this->Limits;
       const double full = this->WayOf(twist);
       const double longest = this->LongestWay(nearest, twist, turned);
@@ -73,6 +75,7 @@ public:
   }
 
   const ToolPose& Pose() const noexcept { return this->Now; }
+  double Gyration() const noexcept { return this->TurnLength; }
   /// Of the last step, with the multipliers that keep the whole way to the hand out of everything:
   /// the sum of their shifts is the proxy's place without the hand's, where it has arrived.
   const PoseConstraints& Constraints() const noexcept { return this->Solved; }
@@ -97,8 +100,8 @@ private:
   void KeepWithin(double longest, Twist& twist) noexcept;
   void Move(const Twist& twist) noexcept;
 
-  double Gyration; // mm, see ToolSkeleton
-  double Extent;   // mm
+  double TurnLength; // mm, see ToolSkeleton::Gyration
+  double Extent;     // mm
   ToolPose Now;
   PoseConstraints Limits; // of a step
   PoseConstraints Solved;

@@ -8,7 +8,7 @@ namespace palpate
 {
 std::size_t SharedProxy::Add(std::unique_ptr<ToolGaps> gaps)
 {
-  this->Members.push_back({std::move(gaps), false, {}});
+  this->Members.push_back({std::move(gaps), false, 0.0, {}, Vector3::Zero()});
   return this->Members.size() - 1;
 }
 
@@ -18,6 +18,7 @@ void SharedProxy::Begin(const ToolPose& pose, const std::uint32_t* near, std::si
   for (Member& member : this->Members)
   {
     member.IsPassed = false;
+    member.Part = 0.0;
   }
   for (std::size_t n = 0; n < count; ++n)
   {
@@ -56,22 +57,63 @@ void SharedProxy::Follow(const ToolPose& hand, const std::uint32_t* near,
     return nearest;
   };
   const bool hasArrived = this->Proxy.Follow(hand, gather);
+  const ToolWrench lack = hasArrived ? ToolWrench() : this->LackOf(hand);
+  double pushes = 0.0;
+  for (const PoseConstraint& at : this->Proxy.Constraints())
+  {
+    pushes += at.Push;
+  }
   for (std::size_t n = 0; n < count; ++n)
   {
-    this->Tell(near[n], hand, hasArrived);
+    this->TakePart(near[n], hasArrived, pushes);
+    this->Tell(near[n], hand, hasArrived, lack);
   }
 }
 
-void SharedProxy::Tell(std::size_t structure, const ToolPose& hand, bool hasArrived) noexcept
+// Of a stiffness of 1 N/mm.
+ToolWrench SharedProxy::LackOf(const ToolPose& hand) const noexcept
+{
+  ToolWrench lack = this->Proxy.WrenchOn(hand, 1.0);
+  for (const PoseConstraint& at : this->Proxy.Constraints())
+  {
+    lack.Force -= at.Shift();
+    lack.Torque -= at.Arm.cross(at.Shift());
+  }
+  return lack;
+}
+
+void SharedProxy::TakePart(std::size_t structure, bool hasArrived, double pushes) noexcept
+{
+  double& part = this->Members[structure].Part;
+  if (pushes > 0.0)
+  {
+    double own = 0.0;
+    for (const PoseConstraint& at : this->Proxy.Constraints())
+    {
+      own += at.Owner == structure ? at.Push : 0.0;
+    }
+    part = own / pushes;
+  }
+  else if (hasArrived)
+  {
+    part = 0.0;
+  }
+}
+
+void SharedProxy::Tell(std::size_t structure, const ToolPose& hand, bool hasArrived,
+                       const ToolWrench& lack) noexcept
 {
   constexpr double Cancelled = 0.05; // of all pushes
+  const double part = this->Members[structure].Part;
   Contact& share = this->Members[structure].Share;
-  Vector3 offset = Vector3::Zero();
+  Vector3 offset = part * lack.Force;
   Vector3 foot = Vector3::Zero();
   Vector3 pushes = Vector3::Zero();
   double push = 0.0;
   const PoseConstraint* strongest = nullptr;
-  share.Turn.setZero();
+  share.Turn = part * lack.Torque;
+  Vector3& cut = this->Members[structure].CutOffset;
+  cut.setZero();
   for (const PoseConstraint& at : this->Proxy.Constraints())
   {
     if (at.Owner == structure && at.Push > 0.0)
@@ -82,15 +124,16 @@ void SharedProxy::Tell(std::size_t structure, const ToolPose& hand, bool hasArri
       offset += at.Shift();
       foot += at.Push * (this->Proxy.Pose().PositionWorld + at.Arm);
       share.Turn += at.Arm.cross(at.Shift());
+      cut += at.Cuts ? at.Shift() : Vector3::Zero();
     }
   }
   share.IsValid = true;
   share.IsBehind = !hasArrived;
-  share.IsTouching = strongest != nullptr;
+  share.IsTouching = part > 0.0;
   share.HasFoot = share.IsTouching;
   share.ProxyWorld = hand.PositionWorld + offset;
   share.Depth = offset.norm();
-  if (share.IsTouching)
+  if (strongest != nullptr) // else the last one's
   {
     const bool isOneSide = pushes.norm() > Cancelled * push;
     share.NormalWorld = isOneSide ? Vector3(pushes.normalized()) : strongest->Normal;

@@ -24,6 +24,14 @@ public:
   }
   void Release() noexcept override {}
   bool IsFreeAt(const ToolPose&) noexcept override { return !this->Proxy->Passes(this->Structure); }
+  bool CanBeDrilled() const noexcept override { return this->Proxy->CanBeDrilled(this->Structure); }
+  void UseSolid(const FieldSolid& solid) noexcept override
+  {
+    this->Proxy->UseSolid(this->Structure, solid);
+  }
+  /// Of the whole tool, in the last tick.
+  const ToolPose& ProxyPose() const noexcept { return this->Proxy->Pose(); }
+  const Vector3& CutOffset() const noexcept { return this->Proxy->CutOffset(this->Structure); }
 
 private:
   std::shared_ptr<SharedProxy> Proxy;

@@ -14,7 +14,8 @@ namespace palpate
 class SoleTracker final : public ContactTracker
 {
 public:
-  SoleTracker(const ToolSkeleton& tool, std::unique_ptr<ToolGaps> gaps) : Proxy(tool)
+  SoleTracker(const ToolSkeleton& tool, std::unique_ptr<ToolGaps> gaps)
+      : Proxy(tool, tool.Gyration())
   {
     this->Proxy.Add(std::move(gaps));
   }
@@ -40,6 +41,8 @@ public:
     this->Proxy.Begin(pose, &Only, 1);
     return !this->Proxy.Passes(Only);
   }
+  bool CanBeDrilled() const noexcept override { return this->Proxy.CanBeDrilled(Only); }
+  void UseSolid(const FieldSolid& solid) noexcept override { this->Proxy.UseSolid(Only, solid); }
 
 private:
   static constexpr std::uint32_t Only = 0;

@@ -1,7 +1,5 @@
 #include "ToolShape.h"
 
-#include "ToolSkeleton.h"
-
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
@@ -88,12 +86,27 @@ bool IsCount(int count)
 {
   return count >= ToolShape::MinimumCount && count <= ToolShape::MaximumCount;
 }
-// Half a radius apart: between them a capsule is at most a sixteenth of a radius thinner than it
-// should be, at a sharp edge.
-int BallCount(double radius, double length)
+
+// mm, between neighbours, in the median; 0 without.
+double SpacingOf(const std::vector<Vector3>& points)
 {
-  constexpr double Most = 64.0;
-  return 1 + static_cast<int>(std::clamp(std::ceil(2.0 * length / radius), 0.0, Most - 1.0));
+  std::vector<double> nearest(points.size(), std::numeric_limits<double>::max());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const double square = (points[i] - points[j]).squaredNorm();
+      nearest[i] = std::min(nearest[i], square);
+      nearest[j] = std::min(nearest[j], square);
+    }
+  }
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  if (points.size() < 2)
+  {
+    return 0.0;
+  }
+  std::nth_element(nearest.begin(), middle, nearest.end());
+  return std::sqrt(*middle);
 }
 } // namespace
 
@@ -103,6 +116,7 @@ ToolShape ToolShape::Sphere(double radius)
   tool.Spherical = true;
   tool.SphereRadius = radius;
   tool.Extent = radius;
+  tool.Make = [radius](int, double smaller) { return Sphere(std::max(radius - smaller, 0.0)); };
   return tool;
 }
 
@@ -112,8 +126,10 @@ ToolShape ToolShape::SpherePoints(double radius, int count)
   tool.HasShell = true;
   for (const Vector3& outward : SphereDirections(IsCount(count) ? count : 0))
   {
-    tool.AddPoint(radius * outward, -outward);
+    tool.AddPoint(radius * outward, -outward, radius);
   }
+  tool.Make = [radius](int points, double smaller)
+  { return SpherePoints(std::max(radius - smaller, 0.0), points); };
   return tool;
 }
 
@@ -121,23 +137,37 @@ ToolShape ToolShape::Capsule(double radius, double length, int count)
 {
   ToolShape tool;
   tool.HasShell = true;
-  const double halfHeight = radius + 0.5 * length;
-  tool.Extent = ExtentOf({radius, length}, halfHeight);
-  for (int n = 0; IsCount(count) && n < count; ++n)
-  {
-    const SpiralPoint place(n, count);
-    const double z = place.Height * halfHeight;
-    const double axis = std::min(0.5 * length, std::max(-0.5 * length, z));
-    const double height = z - axis;
-    const double across = std::sqrt(std::max(0.0, radius * radius - height * height));
-    const Vector3 offset = across * place.Around + height * Vector3::UnitZ();
-    tool.AddPoint(offset + axis * Vector3::UnitZ(), -offset);
-  }
+  tool.Extent = ExtentOf({radius, length}, radius + 0.5 * length);
+  tool.Area = 2.0 * M_PI * radius * (2.0 * radius + length);
+  tool.AddCapsulePoints(radius, -0.5 * length, 0.5 * length, count, true);
   if (std::isfinite(tool.Extent) && radius > 0.0)
   {
-    tool.Balls = std::make_shared<const ToolSkeleton>(
-        ToolSkeleton::Capsule(radius, length, BallCount(radius, length)));
+    tool.UseSkeleton(
+        ToolSkeleton::Capsule(radius, length, ToolSkeleton::CountAlong(radius, length)));
   }
+  tool.Make = [=](int points, double smaller)
+  { return Capsule(std::max(radius - smaller, 0.0), length, points); };
+  return tool;
+}
+
+ToolShape ToolShape::Drill(double radius, double shaftRadius, double length, int count)
+{
+  ToolShape tool;
+  tool.HasShell = true;
+  tool.Extent = ExtentOf({radius, shaftRadius, length}, std::max(radius, length + shaftRadius));
+  const double ball = 4.0 * M_PI * radius * radius;
+  const double shaft = 2.0 * M_PI * shaftRadius * (2.0 * shaftRadius + length);
+  tool.Area = ball + shaft;
+  const int onBall = tool.Area > 0.0 ? static_cast<int>(count * ball / tool.Area) : 0;
+  tool.AddCapsulePoints(radius, 0.0, 0.0, std::max(onBall, MinimumCount), true);
+  tool.AddCapsulePoints(shaftRadius, 0.0, length, std::max(count - onBall, MinimumCount), false);
+  if (std::isfinite(tool.Extent) && std::min(radius, shaftRadius) > 0.0)
+  {
+    tool.UseSkeleton(ToolSkeleton::Drill(radius, shaftRadius, length,
+                                         ToolSkeleton::CountAlong(shaftRadius, length)));
+  }
+  tool.Make = [=](int points, double smaller)
+  { return Drill(std::max(radius - smaller, 0.0), shaftRadius, length, points); };
   return tool;
 }
 
@@ -145,9 +175,12 @@ ToolShape ToolShape::Capsule(double radius, double length, int count)
 // sides' first and last points lie on the rims.
 ToolShape ToolShape::Cylinder(double radius, double length, int count)
 {
+  constexpr double Round = 0.1;
   ToolShape tool;
   tool.HasShell = true;
   tool.Extent = ExtentOf({radius, length}, std::hypot(radius, 0.5 * length));
+  tool.Area = 2.0 * M_PI * radius * (radius + length);
+  const double rim = Round * std::min(radius, 0.5 * length);
   const double end =
       radius > 0.0 ? 0.5 * radius / (radius + length) : 0.0; // fraction of the whole area
   for (int n = 0; IsCount(count) && n < count; ++n)
@@ -158,15 +191,24 @@ ToolShape ToolShape::Cylinder(double radius, double length, int count)
     const double up = part < 0.5 ? -1.0 : 1.0;
     if (beyond > 0.0)
     {
-      const double across = radius * std::sqrt(1.0 - beyond / end);
+      const double across = (radius - rim) * std::sqrt(1.0 - beyond / end);
       tool.AddPoint(across * place.Around + up * 0.5 * length * Vector3::UnitZ(),
-                    -up * Vector3::UnitZ());
+                    -up * Vector3::UnitZ(), rim);
       continue;
     }
     const double step = (1.0 - 2.0 * end) * count > 1.0 ? 1.0 / ((1.0 - 2.0 * end) * count) : 0.0;
     const double along = std::clamp((part - 0.5) / (1.0 - 2.0 * end) * (1.0 + step), -0.5, 0.5);
-    tool.AddPoint(radius * place.Around + along * length * Vector3::UnitZ(), -place.Around);
+    tool.AddPoint(radius * place.Around + along * (length - 2.0 * rim) * Vector3::UnitZ(),
+                  -place.Around, rim);
   }
+  if (std::isfinite(tool.Extent) && rim > 0.0)
+  {
+    tool.UseSkeleton(ToolSkeleton::Cylinder(radius, length, rim));
+  }
+  tool.Make = [=](int points, double smaller)
+  {
+    return Cylinder(std::max(radius - smaller, 0.0), std::max(length - 2.0 * smaller, 0.0), points);
+  };
   return tool;
 }
 
@@ -175,20 +217,38 @@ ToolShape ToolShape::Ellipsoid(const Vector3& semiAxes, int count)
   ToolShape tool;
   tool.HasShell = true;
   tool.Extent = ExtentOf({semiAxes[0], semiAxes[1], semiAxes[2]}, semiAxes.maxCoeff());
+  // Knud Thomsen's formula, right to one percent.
+  constexpr double P = 1.6075;
+  const Vector3 powers = semiAxes.array().pow(P);
+  tool.Area =
+      4.0 * M_PI *
+      std::pow((powers[0] * powers[1] + powers[1] * powers[2] + powers[2] * powers[0]) / 3.0,
+               1.0 / P);
   for (int n = 0; IsCount(count) && n < count; ++n)
   {
     const Vector3 outward = SpiralPoint(n, count).OnUnitSphere();
-    tool.AddPoint(semiAxes.cwiseProduct(outward), -outward.cwiseQuotient(semiAxes));
+    const Vector3 normal = outward.cwiseQuotient(semiAxes);
+    const double shortest = semiAxes.minCoeff();
+    tool.AddPoint(semiAxes.cwiseProduct(outward), -normal, shortest * shortest * normal.norm());
   }
+  if (std::isfinite(tool.Extent) && semiAxes.minCoeff() > 0.0)
+  {
+    tool.UseSkeleton(ToolSkeleton::Ellipsoid(semiAxes));
+  }
+  tool.Make = [semiAxes](int points, double smaller)
+  { return Ellipsoid((semiAxes.array() - smaller).max(0.0), points); };
   return tool;
 }
 
 ToolShape ToolShape::FromSurfacePoints(std::vector<Vector3> points, std::vector<Vector3> normals)
 {
+  constexpr double Round = 0.25;
   ToolShape tool;
   tool.HasShell = true;
   tool.ShellPoints = std::move(points);
   tool.ShellNormals = std::move(normals);
+  const double radius = Round * SpacingOf(tool.ShellPoints);
+  tool.Roundings.assign(tool.ShellPoints.size(), {radius, true});
   for (Vector3& normal : tool.ShellNormals)
   {
     normal.normalize();
@@ -197,13 +257,69 @@ ToolShape ToolShape::FromSurfacePoints(std::vector<Vector3> points, std::vector<
   {
     tool.Extent = std::max(tool.Extent, point.norm());
   }
+  if (radius > 0.0 && tool.Check().IsOk())
+  {
+    std::vector<ToolSkeleton::Ball> balls;
+    for (std::size_t n = 0; n < tool.ShellPoints.size(); ++n)
+    {
+      balls.push_back(tool.BallAt(n));
+    }
+    tool.UseSkeleton(ToolSkeleton(std::move(balls)));
+  }
+  tool.Make = [shell = tool.ShellPoints, inward = tool.ShellNormals](int, double smaller)
+  {
+    std::vector<Vector3> moved = shell;
+    for (std::size_t n = 0; n < moved.size(); ++n)
+    {
+      moved[n] += smaller * inward[n];
+    }
+    return FromSurfacePoints(std::move(moved), inward);
+  };
   return tool;
 }
 
-void ToolShape::AddPoint(const Vector3& point, const Vector3& inward)
+ToolShape ToolShape::WithSpacing(double spacing) const
+{
+  constexpr double Fewest = 100.0;
+  constexpr double Most = 600.0;
+  return this->Area > 0.0
+             ? this->Variant(
+                   static_cast<int>(std::clamp(this->Area / (spacing * spacing), Fewest, Most)),
+                   0.0)
+             : *this;
+}
+
+void ToolShape::AddPoint(const Vector3& point, const Vector3& inward, double radius, bool cuts)
 {
   this->ShellPoints.push_back(point);
   this->ShellNormals.push_back(inward.normalized());
+  this->Roundings.push_back({radius, cuts});
+}
+
+// Of a capsule along z from one centre to the other, but what lies in a ball that is there already.
+void ToolShape::AddCapsulePoints(double radius, double from, double to, int count, bool cuts)
+{
+  const double middle = 0.5 * (from + to);
+  const double half = 0.5 * (to - from);
+  for (int n = 0; IsCount(count) && n < count; ++n)
+  {
+    const SpiralPoint place(n, count);
+    const double z = place.Height * (radius + half);
+    const double axis = std::min(half, std::max(-half, z));
+    const double height = z - axis;
+    const double across = std::sqrt(std::max(0.0, radius * radius - height * height));
+    const Vector3 offset = across * place.Around + height * Vector3::UnitZ();
+    const Vector3 point = offset + (middle + axis) * Vector3::UnitZ();
+    if (cuts || point.norm() > this->ShellPoints.front().norm())
+    {
+      this->AddPoint(point, -offset, radius, cuts);
+    }
+  }
+}
+
+void ToolShape::UseSkeleton(ToolSkeleton skeleton)
+{
+  this->Balls = std::make_shared<const ToolSkeleton>(std::move(skeleton));
 }
 
 Status ToolShape::Check() const

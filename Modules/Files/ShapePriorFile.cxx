@@ -89,7 +89,8 @@ ShapePrior RadialPriorIn(const JsonNumbers& reader, const nlohmann::json& json)
 
 nlohmann::ordered_json RelationJson(const OrganRelation& relation)
 {
-  return {{"mean", NumbersJson(relation.Mean)},
+  return {{"organ", relation.Name},
+          {"mean", NumbersJson(relation.Mean)},
           {"deviations", NumbersJson(relation.Deviations)},
           {"gain", NumbersJson(relation.Gain)},
           {"covariance", LowerTriangle(relation.Covariance)},
@@ -100,7 +101,10 @@ nlohmann::ordered_json RelationJson(const OrganRelation& relation)
 
 OrganRelation RelationIn(const JsonNumbers& reader, const nlohmann::json& json, Eigen::Index asked)
 {
+  const nlohmann::json name = json.value("organ", nlohmann::json(""));
+  reader.Require(name.is_string(), "has a relation to an organ whose name is none");
   OrganRelation relation;
+  relation.Name = name;
   relation.Mean = VectorIn(reader.Numbers(json, "mean"));
   relation.Deviations = VectorIn(reader.Numbers(json, "deviations"));
   relation.Gain = MatrixIn(reader, json, "gain", asked);
@@ -153,7 +157,9 @@ void WriteShapePrior(const SurfacePrior& prior, const std::filesystem::path& fil
   {
     json["relation"] = RelationJson(*prior.Relation);
   }
-  WriteWholeFile(file, json.dump() + "\n");
+  // A structure's name may be in another encoding.
+  const auto handler = nlohmann::ordered_json::error_handler_t::replace;
+  WriteWholeFile(file, json.dump(-1, ' ', false, handler) + "\n");
 }
 
 OrganPrior ReadOrganPrior(const std::filesystem::path& file)
@@ -168,14 +174,5 @@ OrganPrior ReadOrganPrior(const std::filesystem::path& file)
     return std::make_shared<const SurfacePrior>(SurfacePriorIn(reader, json));
   }
   return std::make_shared<const ShapePrior>(RadialPriorIn(reader, json));
-}
-
-ShapePrior ReadShapePrior(const std::filesystem::path& file)
-{
-  const OrganPrior prior = ReadOrganPrior(file);
-  const auto* radial = std::get_if<std::shared_ptr<const ShapePrior>>(&prior);
-  JsonNumbers(file, "use palpate complete")
-      .Require(radial != nullptr, "is a prior of surface models, not of radial ones");
-  return **radial;
 }
 } // namespace palpate

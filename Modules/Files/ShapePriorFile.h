@@ -16,6 +16,4 @@ void WriteShapePrior(const ShapePrior& prior, const std::filesystem::path& file)
 void WriteShapePrior(const SurfacePrior& prior, const std::filesystem::path& file);
 /// A file without a kind is of kind "radial". Throws InputError if the file is not such a prior.
 OrganPrior ReadOrganPrior(const std::filesystem::path& file);
-/// The same of kind "radial" only.
-ShapePrior ReadShapePrior(const std::filesystem::path& file);
 } // namespace palpate

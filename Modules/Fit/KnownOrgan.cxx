@@ -10,8 +10,8 @@ namespace palpate
 {
 namespace
 {
-OrganModel FittedModel(const std::filesystem::path& file, const std::string& structure,
-                       const VolumeChoice& choice)
+LogSurface ReadFitted(const std::filesystem::path& file, const std::string& structure,
+                      const VolumeChoice& choice)
 {
   const Segmentation segmentation = ReadSegmentation(file, choice);
   if (structure.empty() && segmentation.Segments.size() != 1)
@@ -19,24 +19,34 @@ OrganModel FittedModel(const std::filesystem::path& file, const std::string& str
     throw InputError(file.string() + " has " + std::to_string(segmentation.Segments.size()) +
                      " structures; choose the known organ with --known-label");
   }
-  const Segment segment =
-      structure.empty() ? segmentation.Segments.front() : segmentation.Find(structure);
-  const FitResult fit = FitStructure(segmentation, segment, {});
+  return FitKnownOrgan(
+      segmentation,
+      structure.empty() ? segmentation.Segments.front() : segmentation.Find(structure), file);
+}
+} // namespace
+
+LogSurface KnownOrganOf(const OrganModel& model, const std::filesystem::path& file)
+{
+  LogSurface known;
+  RequireInput(FindLogSurface(model, known), file.string());
+  return known;
+}
+
+LogSurface FitKnownOrgan(const Segmentation& segmentation, const Segment& structure,
+                         const std::filesystem::path& file)
+{
+  const FitResult fit = FitStructure(segmentation, structure, {});
   if (fit.State != FitResult::Outcome::Fitted)
   {
     throw InputError(file.string() + ": " + fit.Message);
   }
-  return fit.Model;
+  return KnownOrganOf(fit.Model, file);
 }
-} // namespace
 
 LogSurface ReadKnownOrgan(const std::filesystem::path& file, const std::string& structure,
                           const VolumeChoice& choice)
 {
-  const OrganModel model =
-      IsModelFile(file) ? ReadModel(file).Surface : FittedModel(file, structure, choice);
-  LogSurface known;
-  RequireInput(FindLogSurface(model, known), file.string());
-  return known;
+  return IsModelFile(file) ? KnownOrganOf(ReadModel(file).Surface, file)
+                           : ReadFitted(file, structure, choice);
 }
 } // namespace palpate

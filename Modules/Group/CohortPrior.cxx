@@ -31,6 +31,22 @@ ShapePrior RadialPriorOf(CohortGroup& group)
   return prior;
 }
 
+// The name of the known organ, or its label's number, if all have the same one.
+std::string NameOf(const CohortTable& known)
+{
+  const auto called = [](const CohortRow& row)
+  {
+    const Segment& structure = row.Result.Structure;
+    return structure.Name.empty() ? std::to_string(structure.Label) : structure.Name;
+  };
+  const std::vector<CohortRow>& rows = known.Rows();
+  const std::string name = rows.empty() ? std::string() : called(rows.front());
+  const bool isCommon = name.size() <= OrganRelation::LongestName &&
+                        std::all_of(rows.begin(), rows.end(),
+                                    [&](const CohortRow& row) { return called(row) == name; });
+  return isCommon ? name : std::string();
+}
+
 // The known organ of a case; none, and a reason, if it has no usable model.
 std::optional<LogSurface> KnownOf(const std::string& name, const CohortTable& known,
                                   const std::filesystem::path& folder, std::string& reason)
@@ -74,6 +90,10 @@ SurfacePrior SurfacePriorOf(CohortGroup& group, const CohortTable& known,
   }
   SurfacePrior prior;
   RequireInput(SurfacePrior::OfGroup(cases, prior));
+  if (prior.Relation)
+  {
+    prior.Relation->Name = NameOf(known);
+  }
   return prior;
 }
 } // namespace

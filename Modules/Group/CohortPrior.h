@@ -12,8 +12,8 @@ namespace palpate
 /// (ShapePrior::OfGroup of radial models, SurfacePrior::OfGroup of surface models;
 /// WriteShapePrior), and notes the cases that are omitted. `known`, of models relative to its
 /// `knownFolder`, has another organ of the same cases, to which a prior of surface models then
-/// relates; an empty table: none. No case is named in the file. Throws InputError for other axes,
-/// fewer than three usable cases, and a known organ for radial models.
+/// relates, with its name; an empty table: none. No case is named in the file. Throws InputError
+/// for other axes, fewer than three usable cases, and a known organ for radial models.
 PALPATEGROUP_EXPORT void WriteCohortPrior(CohortGroup& group, const CohortTable& known,
                                           const std::filesystem::path& knownFolder,
                                           const std::filesystem::path& file);

@@ -91,10 +91,8 @@ ProbeInSlice::ProbeInSlice() : Text(MakeViewText(0.0, 0.5, TextSize))
 void ProbeInSlice::ShowContact(vtkProbeRepresentation* probe, const SlicePosition& slice,
                                LengthUnit unit)
 {
-  const Vector3 force(probe->GetForce());
   const Vector3 proxy = probe->ProxyWorld();
-  const Vector3 place = slice.Projected(
-      force.norm() > 0.0 ? Vector3(proxy - probe->GetToolRadius() * force.normalized()) : proxy);
+  const Vector3 place = slice.Projected(probe->ContactWorld());
   const double pixel = slice.PointPixels * slice.PixelMillimeters;
   const Vector3 right = CrossPoints * pixel * slice.Frame.RightWorld;
   const Vector3 up = CrossPoints * pixel * slice.Frame.UpWorld;

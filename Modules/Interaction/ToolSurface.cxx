@@ -1,5 +1,6 @@
 #include "ToolSurface.h"
 
+#include "vtkAppendPolyData.h"
 #include "vtkDelaunay3D.h"
 #include "vtkGeometryFilter.h"
 #include "vtkNew.h"
@@ -24,17 +25,19 @@ vtkSmartPointer<vtkPolyData> MakeToolSphere(double radius)
   return sphere->GetOutput();
 }
 
-vtkSmartPointer<vtkPolyData> MakeToolSurface(const ToolShape& tool)
+namespace
 {
-  if (tool.IsSphere())
-  {
-    return MakeToolSphere(tool.Radius());
-  }
+// The convex hull of the points of the part that cuts, or of the other.
+vtkSmartPointer<vtkPolyData> HullOf(const ToolShape& tool, bool cuts)
+{
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const Vector3& point : tool.Points())
+  for (std::size_t n = 0; n < tool.Points().size(); ++n)
   {
-    points->InsertNextPoint(point.data());
+    if (tool.BallAt(n).Cuts == cuts)
+    {
+      points->InsertNextPoint(tool.Points()[n].data());
+    }
   }
   vtkNew<vtkPolyData> shell;
   shell->SetPoints(points);
@@ -48,5 +51,22 @@ vtkSmartPointer<vtkPolyData> MakeToolSurface(const ToolShape& tool)
   normals->SplittingOff();
   normals->Update();
   return normals->GetOutput();
+}
+} // namespace
+
+vtkSmartPointer<vtkPolyData> MakeToolSurface(const ToolShape& tool)
+{
+  if (tool.IsSphere())
+  {
+    return MakeToolSphere(tool.Radius());
+  }
+  vtkNew<vtkAppendPolyData> parts;
+  parts->AddInputData(HullOf(tool, true));
+  if (!tool.BallAt(tool.Points().size() - 1).Cuts)
+  {
+    parts->AddInputData(HullOf(tool, false));
+  }
+  parts->Update();
+  return parts->GetOutput();
 }
 } // namespace palpate

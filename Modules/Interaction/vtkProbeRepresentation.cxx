@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 vtkStandardNewMacro(vtkProbeRepresentation);
 
@@ -33,13 +34,13 @@ void vtkProbeRepresentation::SetToolSphere(double radius)
 
 double vtkProbeRepresentation::GetToolRadius()
 {
-  double largest = 0.0;
   const vtkIdType count = this->Tool == nullptr ? 0 : this->Tool->GetNumberOfPoints();
+  double least = count > 0 ? std::numeric_limits<double>::max() : 0.0;
   for (vtkIdType p = 0; p < count; ++p)
   {
-    largest = std::max(largest, vtkMath::Norm(this->Tool->GetPoint(p)));
+    least = std::min(least, vtkMath::Norm(this->Tool->GetPoint(p)));
   }
-  return largest;
+  return least;
 }
 
 void vtkProbeRepresentation::SetPose(vtkMatrix4x4* matrix, const double position[3],
@@ -108,6 +109,39 @@ void vtkProbeRepresentation::SetForce(double x, double y, double z)
   }
 }
 
+void vtkProbeRepresentation::SetFoot(double x, double y, double z)
+{
+  const double point[3] = {x, y, z};
+  const bool isSame = this->HasFoot && std::equal(point, point + 3, this->Foot);
+  if (AreNumbers(point, 3) && !isSame)
+  {
+    std::copy_n(point, 3, this->Foot);
+    this->HasFoot = true;
+    this->Modified();
+  }
+}
+
+void vtkProbeRepresentation::ClearFoot()
+{
+  if (this->HasFoot)
+  {
+    this->HasFoot = false;
+    this->Modified();
+  }
+}
+
+palpate::Vector3 vtkProbeRepresentation::ContactWorld()
+{
+  const palpate::Vector3 force(this->Force);
+  if (this->HasFoot)
+  {
+    return palpate::Vector3(this->Foot);
+  }
+  return force.norm() > 0.0
+             ? palpate::Vector3(this->ProxyWorld() - this->GetToolRadius() * force.normalized())
+             : this->ProxyWorld();
+}
+
 void vtkProbeRepresentation::SetNearestPoint(double x, double y, double z)
 {
   const double point[3] = {x, y, z};
@@ -143,6 +177,7 @@ void vtkProbeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
      << ")\n";
   os << indent << "ForceScale: " << this->ForceScale << '\n';
   os << indent << "InContact: " << this->InContact << '\n';
+  os << indent << "HasFoot: " << this->HasFoot << '\n';
   os << indent << "ContactRadius: " << this->ContactRadius << '\n';
   os << indent << "Depth: " << this->Depth << '\n';
   os << indent << "HasNearestPoint: " << this->HasNearestPoint << '\n';

@@ -39,7 +39,8 @@ public:
   vtkSetSmartPointerMacro(Tool, vtkPolyData);
   vtkGetSmartPointerMacro(Tool, vtkPolyData);
   ///@}
-  /** Radius of its bounding sphere around the origin of the tool's frame, mm. */
+  /** How near its surface is to the origin of the tool's frame, mm: the radius of a sphere, a
+   * capsule, and a drill's ball. */
   double GetToolRadius();
 
   ///@{
@@ -82,6 +83,17 @@ public:
   vtkSetMacro(InContact, bool);
   vtkGetMacro(InContact, bool);
   vtkBooleanMacro(InContact, bool);
+  ///@}
+  ///@{
+  /** The point of the surface that is touched (world, mm), for tools that are no spheres. None by
+   * default: then it is where a ball of the tool's radius touches, against the force. */
+  void SetFoot(double x, double y, double z);
+  void ClearFoot();
+  vtkGetVector3Macro(Foot, double);
+  vtkGetMacro(HasFoot, bool);
+#ifndef __VTK_WRAP__
+  palpate::Vector3 ContactWorld(); // that point, or the proxy's position without force
+#endif
   ///@}
   ///@{
   /** Surfaces are coloured up to this distance (mm) from the proxy's tool while in contact.
@@ -135,6 +147,8 @@ private:
   double Force[3] = {0.0, 0.0, 0.0};
   double ForceScale = 10.0;
   bool InContact = false;
+  double Foot[3] = {0.0, 0.0, 0.0};
+  bool HasFoot = false;
   double ContactRadius = 4.0;
   double Depth = -1.0;
   double NearestPoint[3] = {0.0, 0.0, 0.0};

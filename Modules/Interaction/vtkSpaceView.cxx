@@ -74,7 +74,7 @@ double DistanceFrom(vtkCamera* camera, const double world[3])
       .dot(Vector3(camera->GetDirectionOfProjection()));
 }
 
-// Around the tool's contact point: from its centre against the force on the hand.
+// Around the point that the tool touches.
 palpate::ContactMark MarkOf(vtkProbeRepresentation* probe)
 {
   palpate::ContactMark mark;
@@ -82,10 +82,7 @@ palpate::ContactMark MarkOf(vtkProbeRepresentation* probe)
   {
     return mark;
   }
-  const Vector3 middle = probe->ProxyWorld();
-  const Vector3 force(probe->GetForce());
-  mark.PlaceWorld =
-      force.norm() > 0.0 ? Vector3(middle - probe->GetToolRadius() * force.normalized()) : middle;
+  mark.PlaceWorld = probe->ContactWorld();
   mark.Radius = probe->GetContactRadius();
   mark.Color = Vector3(probe->GetContactColor());
   return mark;

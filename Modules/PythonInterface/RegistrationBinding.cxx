@@ -50,30 +50,63 @@ py::object RegisterLandmarks(const py::object& givenMoving, const py::object& gi
                 found.shift_error, residuals, weights);
 }
 
+// Sixteen numbers, or none.
+Numbers StartOf(const py::object& given)
+{
+  const Numbers start(given.is_none() ? py::array(Numbers(0)) : RealArray(given, "start"));
+  const bool isMatrix = start.ndim() == 2 && start.shape(0) == 4 && start.shape(1) == 4;
+  if (!given.is_none() && !isMatrix)
+  {
+    throw py::value_error("start: the shape has to be (4, 4), and is " +
+                          std::string(py::str(start.attr("shape"))));
+  }
+  return start;
+}
+
+const double* PlaceOf(const Numbers& start)
+{
+  return start.size() > 0 ? start.data() : nullptr;
+}
+
+py::object SurfaceResult(const palpate_registration& found)
+{
+  return Result("PointRegistration", MapOf(found), found.rms, found.median, found.turn_error,
+                found.shift_error, found.has_converged != 0);
+}
+
 py::object RegisterPoints(const py::object& given, const py::object& givenSurface,
                           const std::string& kind, double noise, const py::object& givenStart,
                           const GridArguments& place)
 {
   const VectorArray points(given, "points");
-  const Numbers start(givenStart.is_none() ? py::array(Numbers(0))
-                                           : RealArray(givenStart, "start"));
-  const bool isMatrix = start.ndim() == 2 && start.shape(0) == 4 && start.shape(1) == 4;
-  if (!givenStart.is_none() && !isMatrix)
-  {
-    throw py::value_error("start: the shape has to be (4, 4), and is " +
-                          std::string(py::str(start.attr("shape"))));
-  }
+  const Numbers start = StartOf(givenStart);
   const int of = KindOf(kind);
   const Compared surface = BodyOf(givenSurface, "surface", place, palpate_compared_of_mask_shape);
-  const double* const from = isMatrix ? start.data() : nullptr;
   palpate_registration found{};
   {
+    const double* const from = PlaceOf(start);
     const py::gil_scoped_release others;
     Call(palpate_register_points, points.Data(), points.Count(), surface.get(), of, noise, from,
          &found);
   }
-  return Result("PointRegistration", MapOf(found), found.rms, found.median, found.turn_error,
-                found.shift_error, found.has_converged != 0);
+  return SurfaceResult(found);
+}
+
+py::object RegisterBodies(const py::object& givenMoving, const py::object& givenFixed,
+                          const std::string& kind, double noise, const py::object& givenStart,
+                          const GridArguments& place)
+{
+  const Numbers start = StartOf(givenStart);
+  const int of = KindOf(kind);
+  const Compared moving = BodyOf(givenMoving, "moving", place, palpate_compared_of_mask_shape);
+  const Compared fixed = BodyOf(givenFixed, "fixed", place, palpate_compared_of_mask_shape);
+  palpate_registration found{};
+  {
+    const double* const from = PlaceOf(start);
+    const py::gil_scoped_release others;
+    Call(palpate_register_bodies, moving.get(), fixed.get(), of, noise, from, &found);
+  }
+  return SurfaceResult(found);
 }
 } // namespace
 
@@ -105,6 +138,24 @@ void BindRegistrations(py::module_& module)
       "surface: a body as for compare; a mask counts as the shape behind its voxels.\n"
       "kind, noise: as for register_landmarks.\n"
       "start: (4, 4), such as a LandmarkRegistration's map; where they are unless given.\n"
+      "spacing, origin, direction, affine: the grid of masks that are arrays, as for fit_mask.");
+  module.def(
+      "register_bodies",
+      [](const py::object& moving, const py::object& fixed, const std::string& kind, double noise,
+         const py::object& start, const py::object& spacing, const py::object& origin,
+         const py::object& direction, const py::object& affine) {
+        return RegisterBodies(moving, fixed, kind, noise, start,
+                              {spacing, origin, direction, affine});
+      },
+      py::arg("moving"), py::arg("fixed"), py::kw_only(), py::arg("kind") = "rigid",
+      py::arg("noise") = 0.0, py::arg("start") = py::none(), py::arg("spacing") = py::none(),
+      py::arg("origin") = py::none(), py::arg("direction") = py::none(),
+      py::arg("affine") = py::none(),
+      "The map that brings a body onto another one, by points of its surface, as palpate "
+      "register.\n\n"
+      "moving, fixed: bodies as for compare; masks count as the shapes behind their voxels.\n"
+      "kind, noise: as for register_landmarks.\n"
+      "start: (4, 4); their centroids onto each other unless given.\n"
       "spacing, origin, direction, affine: the grid of masks that are arrays, as for fit_mask.");
 }
 } // namespace palpate

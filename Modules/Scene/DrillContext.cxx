@@ -74,7 +74,9 @@ void DrillContext::Add(const std::string& name, const DrillSource& source,
 void DrillContext::PutInto(TouchScene& scene, const std::vector<int>& sites) const
 {
   scene.Drill = this->Drill;
-  scene.Tool = MakeClearTool(scene.Tool, this->Drill.Clearance);
+  // In a hole of its own size a tool would wedge.
+  scene.Tool =
+      scene.Tool.Variant(static_cast<int>(scene.Tool.Points().size()), this->Drill.Clearance);
   for (std::size_t s = 0; s < scene.Structures.size(); ++s)
   {
     scene.Structures[s].Site = sites[s];

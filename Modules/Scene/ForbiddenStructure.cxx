@@ -106,9 +106,13 @@ double ForbiddenStructure::Distance(const ToolShape& tool, const ToolPose& pose)
     return this->Distance(pose.PositionWorld) - tool.Radius();
   }
   double least = std::numeric_limits<double>::max();
-  for (const Vector3& point : tool.Points())
+  for (std::size_t n = 0; n < tool.Points().size(); ++n)
   {
-    least = std::min(least, this->Distance(pose.PositionWorld + pose.Orientation * point));
+    if (tool.BallAt(n).Cuts)
+    {
+      const Vector3 point = pose.PositionWorld + pose.Orientation * tool.Points()[n];
+      least = std::min(least, this->Distance(point));
+    }
   }
   return least;
 }

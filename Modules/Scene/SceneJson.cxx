@@ -27,8 +27,8 @@ const std::initializer_list<const char*> AppearanceWords{"automatic", "model",  
 const std::initializer_list<const char*> AxesWords{"patient", "camera"};
 const std::initializer_list<const char*> GuideWords{"point",  "path",    "plane",
                                                     "inside", "outside", "surface"};
-const std::initializer_list<const char*> ShapeWords{"sphere", "capsule", "ellipsoid", "cylinder",
-                                                    "surface"};
+const std::initializer_list<const char*> ShapeWords{"sphere",    "capsule",  "drill",
+                                                    "ellipsoid", "cylinder", "surface"};
 
 void ExchangeWord(JsonFields& fields, const SceneNumber& number, double& value)
 {
@@ -202,6 +202,10 @@ void ExchangeTool(JsonFields& fields, TouchToolSettings& tool)
   fields.Exchange("shape", tool.Kind, ShapeWords);
   fields.Exchange("radius_mm", tool.Radius, 0.0, ContactLimits::ToolRadius);
   fields.Exchange("length_mm", tool.Length, 0.0, LargestLength);
+  if (fields.IsReading() || tool.Kind == TouchToolSettings::Shape::Drill)
+  {
+    fields.Exchange("shaft_radius_mm", tool.ShaftRadius, 0.0, ContactLimits::ToolRadius);
+  }
   fields.Exchange("semi_axes_mm", tool.SemiAxes, 0.0, LargestLength);
   fields.ExchangeIfSet("file", tool.File);
   fields.Require(tool.File.empty() != (tool.Kind == TouchToolSettings::Shape::Surface),

@@ -48,6 +48,10 @@ ToolShape MakeTool(const TouchToolSettings& settings)
   {
     tool = ToolShape::Capsule(settings.Radius, settings.Length, points);
   }
+  else if (settings.Kind == TouchToolSettings::Shape::Drill)
+  {
+    tool = ToolShape::Drill(settings.Radius, settings.ShaftRadius, settings.Length, points);
+  }
   else if (settings.Kind == TouchToolSettings::Shape::Ellipsoid)
   {
     tool = ToolShape::Ellipsoid(settings.SemiAxes, points);
@@ -97,23 +101,6 @@ CutTool MakeCutTool(const TouchToolSettings& settings)
   }
   RequireInput(tool.Check(), "the tool cannot drill");
   return tool;
-}
-
-ToolShape MakeClearTool(const ToolShape& tool, double clearance)
-{
-  if (tool.IsSphere())
-  {
-    const double radius = std::max(tool.Radius() - clearance, 0.0);
-    return tool.Points().empty()
-               ? ToolShape::Sphere(radius)
-               : ToolShape::SpherePoints(radius, static_cast<int>(tool.Points().size()));
-  }
-  std::vector<Vector3> points = tool.Points();
-  for (std::size_t n = 0; n < points.size(); ++n)
-  {
-    points[n] += clearance * tool.Normals()[n];
-  }
-  return ToolShape::FromSurfacePoints(std::move(points), tool.Normals());
 }
 
 double DrillRadius(const TouchToolSettings& settings, const CutTool& tool)

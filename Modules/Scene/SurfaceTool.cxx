@@ -4,15 +4,19 @@
 #include "SampledTool.h"
 #include "SurfaceFile.h"
 
+#include "vtkAdaptiveSubdivisionFilter.h"
 #include "vtkCleanPolyData.h"
 #include "vtkFeatureEdges.h"
 #include "vtkImplicitPolyDataDistance.h"
+#include "vtkMassProperties.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -21,6 +25,16 @@ namespace palpate
 {
 namespace
 {
+vtkSmartPointer<vtkPolyData> WithNormals(vtkPolyData* surface)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(surface);
+  normals->AutoOrientNormalsOn();
+  normals->SplittingOff();
+  normals->Update();
+  return normals->GetOutput();
+}
+
 vtkSmartPointer<vtkPolyData> ReadClosedSurface(const std::filesystem::path& file)
 {
   // Files may repeat points per triangle, as for shading; equal points are merged first.
@@ -48,12 +62,28 @@ vtkSmartPointer<vtkPolyData> ReadClosedSurface(const std::filesystem::path& file
     Refuse(file, "cannot be used as a tool, since its surface is not closed",
            "close it, as for 3D printing");
   }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->AutoOrientNormalsOn();
-  normals->SplittingOff();
-  normals->Update();
-  return normals->GetOutput();
+  return WithNormals(surface);
+}
+
+// With at least `count` points, however few triangles flat sides have: one for each square of the
+// area, but of slivers fewer.
+vtkSmartPointer<vtkPolyData> Subdivided(vtkPolyData* surface, int count)
+{
+  constexpr double ShortestPart = 0.005; // of the largest extent
+  if (surface->GetNumberOfPoints() >= count)
+  {
+    return surface;
+  }
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  vtkNew<vtkMassProperties> area;
+  area->SetInputConnection(triangles->GetOutputPort());
+  vtkNew<vtkAdaptiveSubdivisionFilter> fine;
+  fine->SetInputConnection(triangles->GetOutputPort());
+  fine->SetMaximumEdgeLength(
+      std::max(std::sqrt(area->GetSurfaceArea() / count), ShortestPart * surface->GetLength()));
+  fine->Update();
+  return WithNormals(fine->GetOutput());
 }
 
 Vector3 PointOf(vtkPolyData& surface, vtkIdType number)
@@ -102,7 +132,8 @@ std::shared_ptr<const SurfaceTool> SurfaceTool::Read(const std::filesystem::path
 {
   std::shared_ptr<SurfaceTool> tool(new SurfaceTool(file, ReadClosedSurface(file)));
   tool->Surface->ComputeBounds();
-  tool->FarPoints = FarPointsOf(*tool->Surface, points);
+  tool->Dense = Subdivided(tool->Surface, points);
+  tool->FarPoints = FarPointsOf(*tool->Dense, points);
   if (cuts && BoxOf(*tool->Surface).sizes().minCoeff() > 0.0)
   {
     tool->Cut = tool->SampleCut();
@@ -112,11 +143,11 @@ std::shared_ptr<const SurfaceTool> SurfaceTool::Read(const std::filesystem::path
 
 ToolShape SurfaceTool::Touching(int count) const
 {
-  const vtkIdType most = std::min<vtkIdType>(count, this->Surface->GetNumberOfPoints());
+  const vtkIdType most = std::min<vtkIdType>(count, this->Dense->GetNumberOfPoints());
   std::vector<vtkIdType> numbers = this->FarPoints;
   if (static_cast<vtkIdType>(numbers.size()) < most)
   {
-    numbers = FarPointsOf(*this->Surface, count);
+    numbers = FarPointsOf(*this->Dense, count);
   }
   numbers.resize(static_cast<std::size_t>(most));
   std::vector<Vector3> points;
@@ -124,8 +155,8 @@ ToolShape SurfaceTool::Touching(int count) const
   for (const vtkIdType number : numbers)
   {
     Vector3 outward;
-    this->Surface->GetPointData()->GetNormals()->GetTuple(number, outward.data());
-    points.push_back(PointOf(*this->Surface, number));
+    this->Dense->GetPointData()->GetNormals()->GetTuple(number, outward.data());
+    points.push_back(PointOf(*this->Dense, number));
     normals.push_back(-outward);
   }
   return ToolShape::FromSurfacePoints(std::move(points), std::move(normals));
@@ -155,14 +186,12 @@ CutTool SurfaceTool::SampleCut() const
 std::size_t SurfaceTool::Bytes() const
 {
   constexpr std::size_t Kibibyte = 1024;
-  return Kibibyte * this->Surface->GetActualMemorySize();
+  return Kibibyte * (this->Surface->GetActualMemorySize() + this->Dense->GetActualMemorySize());
 }
 
 int ShellPointsOf(const TouchToolSettings& settings)
 {
-  // Enough for the surfaces of organs; for a sphere the number follows from the voxel size.
-  constexpr int ShellPoints = 200;
-  return settings.Points > 0 ? settings.Points : ShellPoints;
+  return std::max(settings.Points, TouchToolSettings::SurfacePoints);
 }
 
 std::shared_ptr<const SurfaceTool> SurfaceOf(const TouchToolSettings& settings, bool cuts)

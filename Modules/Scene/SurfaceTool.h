@@ -38,8 +38,9 @@ private:
 
   std::filesystem::path Source;
   vtkSmartPointer<vtkPolyData> Surface;
-  std::vector<vtkIdType> FarPoints; // each the farthest from all before it
-  std::optional<CutTool> Cut;       // none: not prepared, or no enclosed volume
+  vtkSmartPointer<vtkPolyData> Dense; // with as many points as touch; the same if it has them
+  std::vector<vtkIdType> FarPoints;   // each the farthest from all before it
+  std::optional<CutTool> Cut;         // none: not prepared, or no enclosed volume
 };
 
 /// Number of points of a tool's shell: as set, or a default that suffices for organs.

@@ -1,9 +1,8 @@
 #include "Study.h"
 
+#include "DeviceList.h"
 #include "InputError.h"
-#include "OpenBuiltInDevice.h"
 #include "SegmentationFile.h"
-#include "SteadyClock.h"
 #include "StudyFile.h"
 #include "StudyRecovery.h"
 #include "StudyStructures.h"
@@ -15,7 +14,18 @@
 
 namespace palpate
 {
-Study::Study(Clock& clock, const RealtimeRequest& request) : Time(clock), Felt(clock, request) {}
+Study::Study(Clock& clock, const RealtimeRequest& request)
+    : Time(clock), Felt(clock, request), Device(clock, Work,
+                                                [this](auto device, const std::string& problem)
+                                                {
+                                                  this->Problem = problem;
+                                                  if (device != nullptr)
+                                                  {
+                                                    this->TakeDevice(std::move(device));
+                                                  }
+                                                })
+{
+}
 
 void Study::Begin(const StudyState& state, const std::filesystem::path& file)
 {
@@ -219,8 +229,7 @@ void Study::Follow()
 {
   this->Made.Update(this->State());
   this->AdoptStructures();
-  this->Organ.Follow(this->State().Drawing);
-  this->FollowCorrection();
+  this->FollowShapes();
   this->FollowByTouch();
 }
 
@@ -252,6 +261,13 @@ void Study::FollowByTouch()
   if (this->LacksContacts && !this->Contacts().empty())
   {
     this->StopTouch(); // it did not start; now there is something to touch
+  }
+  const bool isMeant =
+      this->Felt.IsRunning() || this->Device.IsOpening() || this->Device.IsAwaited();
+  const std::string& name = this->Device.Name(); // empty for a device that was given
+  if (isMeant && !name.empty() && name != this->State().Device)
+  {
+    this->StartTouch();
   }
   if (this->Felt.IsRunning())
   {
@@ -318,6 +334,7 @@ StudyState Study::WithTool()
   }
   this->ReadTool = state.Tool;
   this->Organ.AddTo(state);
+  this->EdgesThere.AddTo(state);
   return state;
 }
 
@@ -327,6 +344,7 @@ std::vector<SceneContact> Study::Contacts() const
                                                   { return this->Made.NewestProduct(step, id); });
   this->Organ.AddTo(contacts);
   this->Correcting.AddTo(contacts);
+  this->EdgesThere.AddTo(contacts);
   return contacts;
 }
 
@@ -353,32 +371,7 @@ void Study::StartTouch()
 {
   this->StopTouch();
   this->CloseReplay();
-  StudyJob job;
-  job.IsUrgent = true;
-  std::string silent = this->State().Device;
-  const bool isHeard = TakeSound(silent) || this->AreHeard; // the device may ask for it itself
-  job.Work = [this, name = silent + (isHeard ? "+sound" : ""),
-              &clock = this->Time](const ProgressFunction&)
-  {
-    const auto device = std::make_shared<std::unique_ptr<HapticDevice>>();
-    const Status status = OpenBuiltInDevice(name, clock, *device);
-    return StudyJob::Delivery(
-        [this, device, status]
-        {
-          this->Opening.reset();
-          this->Problem = status.Message();
-          if (status.IsOk())
-          {
-            this->TakeDevice(std::move(*device));
-          }
-        });
-  };
-  job.Fail = [this](const std::string& message)
-  {
-    this->Opening.reset();
-    this->Problem = message;
-  };
-  this->Opening = this->Work.Start(std::move(job));
+  this->Device.Open(this->State().Device, this->AreHeard);
 }
 
 void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
@@ -397,7 +390,33 @@ void Study::TakeDevice(std::unique_ptr<HapticDevice> device)
   this->PrepareTouch();
   const std::vector<SceneContact> contacts = this->Contacts();
   this->LacksContacts = contacts.empty();
-  this->Problem = this->Felt.Start(std::move(device), this->WithTool(), contacts).Message();
+  // A hand that does not expect it meets no force.
+  this->IsBack = this->Device.IsAwaited() && device->Capabilities().HasMotors;
+  this->Device.Found();
+  this->Problem =
+      this->Felt.Start(std::move(device), this->WithTool(), contacts, this->IsBack).Message();
+}
+
+void Study::WatchDevice(const StudyTouchReading& reading)
+{
+  const bool isLost = this->Felt.IsRunning() && reading.Newest.State == DeviceState::Error &&
+                      IsPluggedIn(this->Device.Name());
+  if (isLost)
+  {
+    this->EndTouch();
+    this->Device.Await(reading.DeviceProblem);
+  }
+  const TouchState& newest = reading.Newest;
+  this->IsBack =
+      this->IsBack && this->Felt.IsRunning() &&
+      (newest.State != DeviceState::Ready || newest.Safety.Fault == SafetyFault::SwitchedOff);
+  this->Device.TryAgain();
+}
+
+std::string Study::DeviceNotice() const
+{
+  return this->IsBack ? "The device is back: allow force again when the hand is ready."
+                      : this->Device.Notice();
 }
 
 void Study::MoveWorkspace(const Vector3& centerWorld, const std::string& gesture)
@@ -424,11 +443,12 @@ void Study::FitWorkspace()
 
 void Study::StopTouch()
 {
-  if (this->Opening)
-  {
-    this->Work.Cancel(*this->Opening);
-    this->Opening.reset();
-  }
+  this->Device.Cancel();
+  this->EndTouch();
+}
+
+void Study::EndTouch()
+{
   this->Felt.Stop();
   this->Problem.clear();
   this->LacksContacts = false;
@@ -507,7 +527,7 @@ std::size_t Study::Deliver()
   if (count > 0)
   {
     this->AdoptStructures();
-    this->FollowCorrection();
+    this->FollowShapes();
     this->FollowByTouch();
   }
   return count;
@@ -517,83 +537,5 @@ bool Study::Close(std::chrono::milliseconds longest)
 {
   this->StopTouch();
   return this->Work.End(longest);
-}
-
-const QualityMeasurement* Study::QualityOf(const SceneStructure& structure) const
-{
-  const auto found = this->Qualities.find(structure.Id);
-  const bool isKnown =
-      found != this->Qualities.end() && found->second.Key == QualityKey(this->State(), structure);
-  return isKnown ? found->second.Measured.get() : nullptr;
-}
-
-void Study::MeasureQuality()
-{
-  for (const SceneStructure& structure : this->State().Structures)
-  {
-    if (!structure.IsTouchable || !HasPresets(structure) ||
-        this->Measuring.count(structure.Id) > 0 || this->QualityOf(structure) != nullptr)
-    {
-      continue;
-    }
-    const int id = structure.Id;
-    const std::string key = QualityKey(this->State(), structure);
-    StudyJob job;
-    job.Work = [this, id, key, structure,
-                scene = SceneSettings(this->WithTool())](const ProgressFunction& progress)
-    {
-      const SteadyClock clock;
-      auto measured = std::make_shared<const QualityMeasurement>(
-          palpate::MeasureQuality(scene, structure, clock, progress));
-      return StudyJob::Delivery(
-          [this, id, key, measured = std::move(measured)]
-          {
-            this->Measuring.erase(id);
-            this->Qualities[id] = {key, measured, {}};
-          });
-    };
-    job.Fail = [this, id, key](const std::string& message)
-    {
-      this->Measuring.erase(id);
-      this->Qualities[id] = {key, nullptr, message};
-    };
-    this->Measuring[id] = this->Work.Start(std::move(job));
-  }
-}
-
-std::vector<QualityLine> Study::QualityLines() const
-{
-  std::vector<QualityLine> lines;
-  for (const SceneStructure& structure : this->State().Structures)
-  {
-    if (!structure.IsTouchable || !HasPresets(structure))
-    {
-      continue;
-    }
-    QualityLine line = MakeQualityLine(structure, this->QualityOf(structure));
-    const auto running = this->Measuring.find(structure.Id);
-    if (running != this->Measuring.end())
-    {
-      const auto progress = this->Work.ProgressOf(running->second);
-      line.MeasuringFraction = progress ? progress->Fraction : 0.0;
-    }
-    const auto known = this->Qualities.find(structure.Id);
-    line.Problem = known != this->Qualities.end() ? known->second.Problem : std::string();
-    lines.push_back(std::move(line));
-  }
-  return lines;
-}
-
-void Study::UseRecommendedQuality()
-{
-  StudyState next = this->State();
-  for (SceneStructure& structure : next.Structures)
-  {
-    const QualityMeasurement* measured =
-        HasPresets(structure) ? this->QualityOf(structure) : nullptr;
-    const int preset = measured != nullptr ? RecommendedPreset(*measured, next.Rate) : -1;
-    structure = preset >= 0 ? WithPreset(structure, preset) : structure;
-  }
-  this->Change("Use the recommended quality", next);
 }
 } // namespace palpate

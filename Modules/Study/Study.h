@@ -1,14 +1,16 @@
 #pragma once
 
+#include "FeltEdges.h"
 #include "PalpateStudyModule.h"
-#include "QualityReport.h"
 #include "StudyCorrected.h"
+#include "StudyDevice.h"
 #include "StudyDrawn.h"
 #include "StudyDrillFiles.h"
 #include "StudyHistory.h"
 #include "StudyJobs.h"
 #include "StudyMarkups.h"
 #include "StudyPipeline.h"
+#include "StudyQuality.h"
 #include "StudyReplay.h"
 #include "StudyTouch.h"
 #include "StudyWriting.h"
@@ -62,6 +64,17 @@ public:
     this->Correcting.LetGo(isHeld);
     this->FollowByTouch();
   }
+  /// While it is on, a hand feels edges of the volume around what is corrected.
+  void FeelEdges(bool areFelt)
+  {
+    if (this->AreEdgesFelt != areFelt)
+    {
+      this->AreEdgesFelt = areFelt;
+      this->FollowShapes();
+      this->FollowByTouch();
+    }
+  }
+  const FeltEdges& Edges() const { return this->EdgesThere; }
   /// Contacts that can be touched now.
   std::vector<SceneContact> Contacts() const;
   StudyJobs& Jobs() { return this->Work; }
@@ -123,20 +136,27 @@ public:
 
   /// Measures the quality presets at every touchable label, on the worker; existing measurements of
   /// the same structure with the same tool are kept.
-  void MeasureQuality();
-  bool IsMeasuringQuality() const { return !this->Measuring.empty(); }
+  void MeasureQuality() { this->Qualities.Measure(this->State(), this->WithTool()); }
+  bool IsMeasuringQuality() const { return this->Qualities.IsMeasuring(); }
   /// One line per touchable structure.
-  std::vector<QualityLine> QualityLines() const;
+  std::vector<QualityLine> QualityLines() const { return this->Qualities.Lines(this->State()); }
   /// Applies the recommended preset to each measured structure; an undo step.
-  void UseRecommendedQuality();
+  void UseRecommendedQuality()
+  {
+    this->Change("Use the recommended quality", this->Qualities.WithRecommended(this->State()));
+  }
 
   /// See StudyPipeline; touch is updated.
   void CancelStep(SceneStep step);
   /// Resumes cancelled work, and retries failed work.
   void ResumeStep(SceneStep step);
 
-  /// Opens the state's device in the background, then starts the touch.
+  /// Opens the state's device in the background, then starts the touch. From then on another device
+  /// of the state takes its place, and one that is unplugged is picked up again once it is back:
+  /// without force until a person allows it, if it has motors.
   void StartTouch();
+  /// Call with every reading of a touch.
+  void WatchDevice(const StudyTouchReading& reading);
   /// Touches that begin from now on are heard, too (SoundingDevice).
   void HearTouches(bool areHeard) { this->AreHeard = areHeard; }
   void StopTouch();
@@ -159,7 +179,12 @@ public:
   bool IsReadingDrilled() const { return this->DrillFiles.IsReading(); }
   /// Why what was drilled is not, or not entirely, restored; may be empty.
   std::string DrilledProblem() const;
-  bool IsOpeningDevice() const { return this->Opening.has_value(); }
+  bool IsOpeningDevice() const { return this->Device.IsOpening(); }
+  /// Whether touch has ended because the device was lost, and goes on with it.
+  bool IsAwaitingDevice() const { return this->Device.IsAwaited(); }
+  /// One line on a device that was lost, or is back and waits for a person to allow force; or
+  /// empty.
+  std::string DeviceNotice() const;
   /// Why a touch did not start, or does not follow the current state; may be empty.
   const std::string& TouchProblem() const { return this->Problem; }
 
@@ -190,10 +215,15 @@ public:
 private:
   void Begin(const StudyState& state, const std::filesystem::path& file);
   void Follow();
-  void FollowCorrection()
+  void FollowShapes()
   {
-    this->Correcting.Follow(this->State(), this->State().Correction, this->State().SegmentationFile,
+    const StudyState& state = this->State();
+    this->Organ.Follow(state);
+    this->Correcting.Follow(state, state.Correction, state.SegmentationFile,
                             this->Made.Newest<Segmentation>(SceneStep::Segmentation));
+    this->EdgesThere.Follow(this->AreEdgesFelt ? this->Made.Newest<Volume>(SceneStep::Volume)
+                                               : nullptr,
+                            state.Correction.StructureId, this->Contacts());
   }
   bool FollowIf(bool isChanged);
   void ChangeByFile(const std::string& message, const StudyState& next);
@@ -202,8 +232,8 @@ private:
   void FollowByTouch();
   void FollowByDrill();
   void ReadDrilled(const std::filesystem::path& file);
-  const QualityMeasurement* QualityOf(const SceneStructure& structure) const;
   void TakeDevice(std::unique_ptr<HapticDevice> device);
+  void EndTouch();
   StudyState WithTool();
 
   Clock& Time;
@@ -212,6 +242,9 @@ private:
   StudyPipeline Made{Work};
   StudyDrawn Organ{Work};
   StudyCorrected Correcting{Work};
+  StudyQuality Qualities{Work};
+  FeltEdges EdgesThere{Work};
+  bool AreEdgesFelt = false;
   StudyTouch Felt;
   StudyDrillFiles DrillFiles{Work};
   StudyWriting Written{Work};
@@ -219,7 +252,8 @@ private:
   std::filesystem::path FormerFile;       ///< of a recovered study
   std::set<std::filesystem::path> Unread; ///< segmentations whose structures are not yet taken over
   std::set<StudyJobs::Id> Adding;         ///< segmentations that are being read
-  std::optional<StudyJobs::Id> Opening;
+  StudyDevice Device;
+  bool IsBack = false; ///< the device, and force is still off
   std::optional<StudyJobs::Id> Reading;
   std::unique_ptr<StudyReplay> Played;
   TouchToolSettings ReadTool; ///< the last usable one, with its surface
@@ -227,15 +261,6 @@ private:
   bool LacksContacts = false; ///< which is the problem
   bool AreHeard = false;      ///< touches
   std::string Unplayable;
-  // Measurement of a structure's presets.
-  struct Quality
-  {
-    std::string Key; ///< all settings of the measurement
-    std::shared_ptr<const QualityMeasurement> Measured;
-    std::string Problem;
-  };
-  std::map<int, Quality> Qualities;
-  std::map<int, StudyJobs::Id> Measuring;
 };
 
 } // namespace palpate

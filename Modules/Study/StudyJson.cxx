@@ -87,12 +87,17 @@ void ExchangeTouch(JsonFields& fields, SurfaceTouch& touch)
 void ExchangeDrawing(JsonFields& fields, StudyDrawing& drawing)
 {
   fields.ExchangeIfSet("prior", drawing.PriorFile);
+  if (fields.IsReading() || drawing.KnownId != StudyDrawing::KnownByName)
+  {
+    fields.Exchange("known", drawing.KnownId, 0, std::numeric_limits<int>::max());
+  }
   fields.Exchange("sigma_mm", drawing.Sigma, LeastTouchDeviation, LargestTouchDeviation);
   fields.Exchange("center_mm", drawing.CenterWorld, -LargestPlace, LargestPlace);
   fields.ExchangeList("touches", drawing.Touches, ExchangeTouch);
   fields.Require(RowCount(drawing.Touches) <= MostDrawnRows, "has more touches than it may",
                  "remove some from \"touches\"");
   fields.Exchange("touchable", drawing.IsTouchable);
+  fields.Exchange("softened", drawing.IsSoftened);
 }
 
 void ExchangeCorrection(JsonFields& fields, StudyCorrection& correction)

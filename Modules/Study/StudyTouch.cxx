@@ -38,7 +38,7 @@ bool StudyTouch::IsSame(const Feelable& a, const Feelable& b)
 }
 
 Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState& state,
-                         const std::vector<SceneContact>& contacts)
+                         const std::vector<SceneContact>& contacts, bool staysOff)
 {
   this->Stop();
   this->Settings = {};
@@ -56,7 +56,7 @@ Status StudyTouch::Start(std::unique_ptr<HapticDevice> opened, const StudyState&
   if (status.IsOk())
   {
     this->Drilled.FollowNextServo();
-    status = this->Session.Start(*this->Session.Scene(), this->Felt.Frame);
+    status = this->Session.Start(*this->Session.Scene(), this->Felt.Frame, staysOff);
   }
   if (!status.IsOk())
   {

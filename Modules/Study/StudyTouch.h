@@ -38,9 +38,10 @@ public:
   StudyTouch& operator=(const StudyTouch&) = delete;
 
   /// Starts with an open device; `contacts` are those of `state` (see ContactsOf). Fails, and
-  /// closes it, if there is nothing to touch or the tool cannot touch it.
+  /// closes it, if there is nothing to touch or the tool cannot touch it. `staysOff`: without force
+  /// until SwitchForcesOn.
   Status Start(std::unique_ptr<HapticDevice> opened, const StudyState& state,
-               const std::vector<SceneContact>& contacts);
+               const std::vector<SceneContact>& contacts, bool staysOff = false);
   bool IsRunning() const { return this->Session.IsRunning(); }
   /// Outputs 0 N and closes the device. The recording is kept.
   void Stop();
@@ -95,8 +96,10 @@ public:
   void TellDistance(double distance) noexcept { this->Session.TellDistance(distance); }
   /// Target of the simulated hand (mm); moves with the workspace.
   Vector3 HandWorld() const { return this->Session.HandWorld(); }
-  /// The device's clutch button, from 0: a Falcon's centre.
+  /// The device's clutch button unless another is set, from 0: a Falcon's centre.
   static constexpr int ClutchButton = 2;
+  /// See TouchSession::SetClutchButton.
+  void SetClutchButton(int button) { this->Session.SetClutchButton(button); }
   /// The button used as the drill's pedal; read by the servo itself.
   static constexpr int DrillButton = 0;
 

@@ -176,7 +176,7 @@ void MainWindow::MakeColumn()
   connect(structures, &StructuresPanel::OpacityChosen, this,
           [this](double opacity) { this->Shown.Images()->SetLabelOpacity(opacity); });
   auto* touch = new TouchPanel(this->Study, this);
-  connect(touch, &TouchPanel::StartAsked, this->Touching, &TouchMenu::ToggleTouch);
+  this->Touching->Serve(*touch);
   connect(this->Touching, &TouchMenu::ValuesAsked, this,
           [this]
           {
@@ -184,8 +184,6 @@ void MainWindow::MakeColumn()
             connect(this->findChild<ThresholdDialog*>(), &QDialog::accepted, &this->Study,
                     &StudyController::StartTouchSoon, Qt::UniqueConnection);
           });
-  connect(touch, &TouchPanel::RecordAsked, this->Touching, &TouchMenu::ToggleRecording);
-  touch->AddTools({this->Touching->MoveWorkspace(), this->Touching->FitWorkspace()});
   structures->AddAdding(this->Files->Adding());
   auto* volumes = new VolumePanel(this->Study, this->Shown, this->Questions, this);
   connect(volumes, &VolumePanel::ValuesAsked, this->Files, &FileMenu::AddFromValuesOf);

@@ -1,5 +1,6 @@
 #include "TouchLink.h"
 
+#include "ScreenString.h"
 #include "TouchNotice.h"
 
 #include <QAbstractSpinBox>
@@ -170,9 +171,17 @@ double TouchLink::ToolDistance() const
 
 void TouchLink::ShowNotice()
 {
-  const TouchNotice notice = this->Study.IsTouching() && !this->IsHandOnly
-                                 ? TouchNotice::Of(this->Study.Reading())
-                                 : TouchNotice();
+  const bool isLost = this->Study.Current().IsAwaitingDevice();
+  TouchNotice notice;
+  if (isLost)
+  {
+    notice = {TouchNotice::Kind::NoForce,
+              "No force. " + ScreenString(this->Study.Current().DeviceNotice())};
+  }
+  else if (this->Study.IsTouching() && !this->IsHandOnly)
+  {
+    notice = TouchNotice::Of(this->Study.Reading());
+  }
   this->Views.ShowNotice(notice);
   const bool isAlarm = notice.Is == TouchNotice::Kind::Alarm;
   if (isAlarm && !this->IsAlarmed && this->AreAlarmsHeard)
@@ -310,7 +319,7 @@ void TouchLink::FollowProbe()
   if (this->Study.Reading().TouchedId != 0 && force.norm() > 0.0)
   {
     // The place of contact: slices through the centre of a large tool may miss the structure.
-    place -= this->Contents.Probe()->GetToolRadius() * force.normalized();
+    place = this->Contents.Probe()->ContactWorld();
   }
   const bool isUnled = this->AimedAt < 0 && this->Study.Reading().TouchedId == 0;
   const bool isStill = isUnled || (place - this->Followed).norm() < Still;

@@ -1,5 +1,6 @@
 #include "TouchMenu.h"
 
+#include "FirstUseDialog.h"
 #include "ToolIcon.h"
 
 #include <QSettings>
@@ -31,6 +32,7 @@ TouchMenu::TouchMenu(StudyController& study, const FileQuestions& questions, QWi
   this->Sound->setChecked(QSettings().value(SoundKey, false).toBool());
   connect(this->Sound, &QAction::toggled, this,
           [](bool isOn) { QSettings().setValue(SoundKey, isOn); });
+  this->addAction("First &use of a device...", this, &TouchMenu::TryDevice);
   this->AddHearing();
   this->AddPush();
   this->AddWorkspace();
@@ -103,7 +105,8 @@ void TouchMenu::AddRecording()
 
 void TouchMenu::ToggleTouch()
 {
-  if (this->Study.IsTouching() || this->Study.Current().IsOpeningDevice())
+  if (this->Study.IsTouching() || this->Study.Current().IsOpeningDevice() ||
+      this->Study.Current().IsAwaitingDevice())
   {
     this->Study.StopTouch();
   }
@@ -115,6 +118,21 @@ void TouchMenu::ToggleTouch()
   {
     this->Study.StartTouch();
   }
+}
+
+void TouchMenu::TryDevice()
+{
+  auto* dialog = new FirstUseDialog(this->Study, this->Window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
+void TouchMenu::Serve(TouchPanel& panel)
+{
+  connect(&panel, &TouchPanel::StartAsked, this, &TouchMenu::ToggleTouch);
+  connect(&panel, &TouchPanel::RecordAsked, this, &TouchMenu::ToggleRecording);
+  connect(panel.Devices(), &DevicePanel::TrialAsked, this, &TouchMenu::TryDevice);
+  panel.AddTools({this->Move, this->Fit});
 }
 
 void TouchMenu::ToggleRecording()
@@ -177,11 +195,12 @@ void TouchMenu::ShowTouch()
   const bool isTouching = this->Study.IsTouching();
   const StudyReplay* replay = this->Study.Current().Replay();
   const bool takesValues = !this->Study.CanTouch() && this->Study.HasValues();
-  this->Touch->setText(isTouching    ? "&Stop touching"
+  this->Touch->setText(isTouching || this->Study.Current().IsAwaitingDevice() ? "&Stop touching"
                        : takesValues ? "&Touch image values..."
                                      : "&Start touching");
   this->Touch->setEnabled(isTouching || this->Study.CanTouch() || takesValues ||
-                          this->Study.Current().IsOpeningDevice());
+                          this->Study.Current().IsOpeningDevice() ||
+                          this->Study.Current().IsAwaitingDevice());
   this->Touch->setIconText(isTouching ? "Stop touching" : "Touch");
   this->StopForce->setEnabled(isTouching);
   this->AllowForce->setEnabled(isTouching);

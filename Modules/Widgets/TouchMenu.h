@@ -2,6 +2,7 @@
 
 #include "FileQuestions.h"
 #include "StudyController.h"
+#include "TouchPanel.h"
 
 #include <QMenu>
 
@@ -26,6 +27,10 @@ public:
   QAction* PushAlongSight() const { return this->AlongSight; }
   QAction* MoveWorkspace() const { return this->Move; }
   void ToggleTouch();
+  /// Opens the first use of a device.
+  void TryDevice();
+  /// Does what the panel's buttons ask for.
+  void Serve(TouchPanel& panel);
   QAction* FitWorkspace() const { return this->Fit; }
 
 Q_SIGNALS:

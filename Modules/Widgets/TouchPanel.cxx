@@ -34,17 +34,19 @@ QLabel* MakeText(const char* name, QWidget* parent)
 } // namespace
 
 TouchPanel::TouchPanel(StudyController& study, QWidget* parent)
-    : QWidget(parent), Study(study), Tools(new QHBoxLayout), Device(new DeviceChoice(this)),
+    : QWidget(parent), Study(study), Tools(new QHBoxLayout), Device(new DevicePanel(study, this)),
       Radius(new QDoubleSpinBox(this)), Length(new QDoubleSpinBox(this)),
-      Scale(new QDoubleSpinBox(this)), FollowCamera(new QCheckBox(this)),
-      Start(new QPushButton(this)), Record(new QPushButton(this)),
-      Recording(MakeText("recording", this)), Safety(MakeText("safety", this)),
-      Felt(MakeText("felt", this)), Advice(MakeText("advice", this))
+      Shaft(new QDoubleSpinBox(this)), Scale(new QDoubleSpinBox(this)),
+      FollowCamera(new QCheckBox(this)), Start(new QPushButton(this)),
+      Record(new QPushButton(this)), Recording(MakeText("recording", this)),
+      Safety(MakeText("safety", this)), Felt(MakeText("felt", this)),
+      Advice(MakeText("advice", this))
 {
   auto* column = new QVBoxLayout(this);
   auto* form = new QFormLayout;
   this->MakeSettings(form);
   this->MakeButtons();
+  column->addWidget(this->Device);
   column->addLayout(form);
   column->addLayout(this->Tools);
   column->addWidget(this->Start);
@@ -87,15 +89,6 @@ void TouchPanel::MakeButtons()
 
 void TouchPanel::MakeSettings(QFormLayout* form)
 {
-  this->Device->setObjectName("device");
-  form->addRow("Device", this->Device);
-  connect(this->Device, &QComboBox::currentTextChanged, this,
-          [this](const QString& label)
-          {
-            StudyState next = this->Study.State();
-            next.Device = this->Device->Chosen();
-            this->Study.Change("Choose the device " + label, next, "device");
-          });
   this->Radius->setObjectName("tool-radius");
   this->Radius->setRange(0.0, 100.0);
   this->Radius->setSingleStep(0.5);
@@ -117,7 +110,21 @@ void TouchPanel::MakeSettings(QFormLayout* form)
       "Of a capsule's axis: it lies down, tips, and touches in several places");
   form->addRow("Tool length, mm", this->Length);
   connect(this->Length, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
-          &TouchPanel::ChangeLength);
+          [this](double length) { this->ChangeShape(length, this->Shaft->value()); });
+  this->Shaft->setObjectName("tool-shaft");
+  this->Shaft->setRange(0.0, 20.0);
+  this->Shaft->setSingleStep(0.5);
+  this->Shaft->setKeyboardTracking(false);
+  this->Shaft->setSpecialValueText("no shaft");
+  this->Shaft->setToolTip("Of a drill or a needle: a ball of the tool's radius on a shaft of the "
+                          "tool's length, which touches but does not cut");
+  form->addRow("Shaft radius, mm", this->Shaft);
+  connect(this->Shaft, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+          [this](double shaft)
+          {
+            const double length = this->Length->value();
+            this->ChangeShape(length > 0.0 ? length : TouchToolSettings().Length, shaft);
+          });
   this->Scale->setObjectName("scale");
   this->Scale->setRange(0.0, 100.0);
   this->Scale->setSingleStep(0.1);
@@ -134,25 +141,31 @@ void TouchPanel::MakeSettings(QFormLayout* form)
           {
             StudyState next = this->Study.State();
             next.Placement.AxesFollowCamera = isOn;
+            this->Device->KeepAxes(isOn);
             this->Study.Change(isOn ? "Let the axes follow the camera" : "Fix the axes", next);
           });
 }
 
-void TouchPanel::ChangeLength(double length)
+// Without a length there is no shaft either.
+void TouchPanel::ChangeShape(double length, double shaft)
 {
   using Shape = TouchToolSettings::Shape;
+  const bool isSphere = length <= 0.0;
   StudyState next = this->Study.State();
-  next.Tool.Kind = length > 0.0 ? Shape::Capsule : Shape::Sphere;
-  next.Tool.Length = length > 0.0 ? length : TouchToolSettings().Length;
-  this->Study.Change(length > 0.0 ? QString("Touch with a capsule of %1 mm").arg(length)
-                                  : QString("Touch with a sphere"),
-                     next, "tool length");
+  next.Tool.Kind = isSphere ? Shape::Sphere : (shaft > 0.0 ? Shape::Drill : Shape::Capsule);
+  next.Tool.Length = isSphere ? TouchToolSettings().Length : length;
+  next.Tool.ShaftRadius = shaft > 0.0 ? shaft : TouchToolSettings().ShaftRadius;
+  const QString kind = shaft > 0.0 ? "drill on a shaft" : "capsule";
+  this->Study.Change(isSphere ? QString("Touch with a sphere")
+                              : QString("Touch with a %1 of %2 mm").arg(kind).arg(length),
+                     next, "tool shape");
 }
 
 void TouchPanel::ChangeScale(double scale)
 {
   StudyState next = this->Study.State();
   next.Placement.Scale = scale > 0.0 ? std::optional<double>(scale) : std::nullopt;
+  this->Device->KeepScale(scale);
   this->Study.Change(scale > 0.0 ? QString("Change the scale to %1").arg(scale)
                                  : QString("Put all structures in reach"),
                      next, "scale");
@@ -161,15 +174,18 @@ void TouchPanel::ChangeScale(double scale)
 void TouchPanel::ShowState()
 {
   const StudyState& state = this->Study.State();
-  const QSignalBlocker device(this->Device);
   const QSignalBlocker radius(this->Radius);
   const QSignalBlocker length(this->Length);
+  const QSignalBlocker shaft(this->Shaft);
   const QSignalBlocker scale(this->Scale);
-  this->Device->Choose(state.Device);
   this->Radius->setValue(state.Tool.Radius);
-  const bool isCapsule = state.Tool.Kind == TouchToolSettings::Shape::Capsule;
-  this->Length->setValue(isCapsule ? state.Tool.Length : 0.0);
-  this->Length->setEnabled(isCapsule || state.Tool.Kind == TouchToolSettings::Shape::Sphere);
+  using Shape = TouchToolSettings::Shape;
+  const bool isDrill = state.Tool.Kind == Shape::Drill;
+  const bool isLong = isDrill || state.Tool.Kind == Shape::Capsule;
+  this->Length->setValue(isLong ? state.Tool.Length : 0.0);
+  this->Length->setEnabled(isLong || state.Tool.Kind == Shape::Sphere);
+  this->Shaft->setValue(isDrill ? state.Tool.ShaftRadius : 0.0);
+  this->Shaft->setEnabled(this->Length->isEnabled());
   this->Scale->setValue(state.Placement.Scale.value_or(0.0));
   this->FollowCamera->setChecked(state.Placement.AxesFollowCamera);
   this->ShowTouch();
@@ -178,9 +194,11 @@ void TouchPanel::ShowState()
 void TouchPanel::ShowTouch()
 {
   const bool isTouching = this->Study.IsTouching();
-  const bool isOpening = this->Study.Current().IsOpeningDevice();
+  const bool isAwaiting = this->Study.Current().IsAwaitingDevice();
+  const bool isOpening = this->Study.Current().IsOpeningDevice() || isAwaiting;
   const bool isReplaying = this->Study.IsReplaying();
   this->Start->setText(isTouching    ? "Stop touching"
+                       : isAwaiting  ? "Waiting for the device... (stop)"
                        : isOpening   ? "Opening the device... (stop)"
                        : isReplaying ? "Close the replay and touch"
                                      : "Start touching");
@@ -191,13 +209,12 @@ void TouchPanel::ShowTouch()
   this->Start->setEnabled(isTouching || isOpening || canTouch || takesValues);
   this->Start->setToolTip(this->Start->isEnabled() ? "" : "Make a structure touchable first");
   this->Record->setEnabled(isTouching);
-  this->Device->setEnabled(!isTouching && !isOpening);
   this->ShowRecording();
   if (!isTouching && !isReplaying)
   {
-    this->Safety->setText("Touch is off.");
+    this->Safety->setText(isAwaiting ? "No force: the device is lost." : "Touch is off.");
     this->Felt->clear();
-    this->Advice->clear();
+    this->Advice->setText(ScreenString(this->Study.Current().DeviceNotice()));
   }
 }
 
@@ -235,8 +252,8 @@ QString TouchPanel::Warnings() const
     lines += ScreenString(warning);
   }
   const StudyTouchReading& reading = this->Study.Reading();
-  for (const std::string& message :
-       {reading.Guidance, reading.DeviceProblem, reading.RecordingProblem})
+  for (const std::string& message : {this->Study.Current().DeviceNotice(), reading.Guidance,
+                                     reading.DeviceProblem, reading.RecordingProblem})
   {
     if (!message.empty())
     {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "DeviceChoice.h"
+#include "DevicePanel.h"
 #include "StudyController.h"
 
 #include <QCheckBox>
@@ -26,6 +26,7 @@ public:
   /// Adds buttons for menu actions.
   void AddTools(const QList<QAction*>& actions);
 
+  DevicePanel* Devices() const { return this->Device; }
   /// Text on the safety chain.
   QString SafetyWords() const { return this->Safety->text(); }
   /// Text on the recording or replay.
@@ -43,16 +44,17 @@ private:
   void ShowState();
   void ShowTouch();
   void ShowReading();
-  void ChangeLength(double length);
+  void ChangeShape(double length, double shaft);
   void ChangeScale(double scale);
   void ShowRecording();
   QString Warnings() const;
 
   StudyController& Study;
   QHBoxLayout* Tools;
-  DeviceChoice* Device;
+  DevicePanel* Device;
   QDoubleSpinBox* Radius;
   QDoubleSpinBox* Length;
+  QDoubleSpinBox* Shaft;
   QDoubleSpinBox* Scale;
   QCheckBox* FollowCamera;
   QPushButton* Start;

@@ -42,6 +42,7 @@ from ._kernels import fit_points as fit_points
 from ._kernels import motion as motion
 from ._kernels import read_check_group as read_check_group
 from ._kernels import read_model as read_model
+from ._kernels import register_bodies as register_bodies
 from ._kernels import register_landmarks as register_landmarks
 from ._kernels import register_points as register_points
 from ._kernels import relate as relate

@@ -179,6 +179,18 @@ def motion(
     direction: Optional[ArrayLike] = None,
     affine: Optional[ArrayLike] = None,
 ) -> Motion: ...
+def register_bodies(
+    moving: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    fixed: Union[Model, Mask, Mesh, Tuple[ArrayLike, ArrayLike], ArrayLike],
+    *,
+    kind: Literal["rigid", "similarity", "affine"] = "rigid",
+    noise: float = 0.0,
+    start: Optional[ArrayLike] = None,
+    spacing: Optional[ArrayLike] = None,
+    origin: Optional[ArrayLike] = None,
+    direction: Optional[ArrayLike] = None,
+    affine: Optional[ArrayLike] = None,
+) -> PointRegistration: ...
 def register_landmarks(
     moving: ArrayLike,
     fixed: ArrayLike,

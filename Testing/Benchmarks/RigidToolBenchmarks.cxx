@@ -18,12 +18,12 @@ constexpr std::size_t Ticks = 500;
 constexpr double ToolRadius = 2.0; // mm
 constexpr double Depth = 1.0;      // mm
 
-// A capsule that lies across the way of the hand, 50 mm/s at 1 kHz, and spheres where its balls are
-// at the hand.
+// A tool that lies across the way of the hand, 50 mm/s at 1 kHz, and spheres where its balls are at
+// the hand.
 class Stroke
 {
 public:
-  Stroke(int degree, double length) : Shape(ToolShape::Capsule(ToolRadius, length, 26))
+  Stroke(int degree, const ToolShape& shape) : Shape(shape)
   {
     test::Random random(12);
     const auto organ = std::make_shared<const RadialModel>(test::RandomOrgan(random, degree));
@@ -44,11 +44,14 @@ public:
     this->Spheres.resize(this->Shape.Skeleton()->Balls().size());
     for (auto& sphere : this->Spheres)
     {
-      isMade = isMade && model->MakeTracker(ToolShape::Sphere(ToolRadius), {}, sphere).IsOk();
+      const double radius = this->Shape.Skeleton()
+                                ->Balls()[static_cast<std::size_t>(&sphere - this->Spheres.data())]
+                                .Radius;
+      isMade = isMade && model->MakeTracker(ToolShape::Sphere(radius), {}, sphere).IsOk();
     }
     if (isMade)
     {
-      this->Proxy.emplace(*this->Shape.Skeleton());
+      this->Proxy.emplace(*this->Shape.Skeleton(), this->Shape.Skeleton()->Gyration());
       this->Proxy->Add(std::move(gaps));
     }
   }
@@ -112,9 +115,9 @@ private:
   std::vector<Vector3> Theirs{Ticks};
 };
 
-PairedBenchmark StrokeBenchmark(const std::string& name, int degree, double length)
+PairedBenchmark StrokeBenchmark(const std::string& name, int degree, const ToolShape& shape)
 {
-  const auto stroke = std::make_shared<Stroke>(degree, length);
+  const auto stroke = std::make_shared<Stroke>(degree, shape);
   return {"touch/sh/" + name + "/degree" + std::to_string(degree),
           "spheres with trackers of their own (ours)",
           [stroke] { stroke->Together(); },
@@ -122,11 +125,22 @@ PairedBenchmark StrokeBenchmark(const std::string& name, int degree, double leng
           [stroke] { return stroke->Compared(); },
           static_cast<double>(Ticks)};
 }
+
+ToolShape SurfaceOf500Points()
+{
+  const ToolShape shell = ToolShape::Ellipsoid({3.0, 4.0, 6.0}, 500);
+  return ToolShape::FromSurfacePoints(shell.Points(), shell.Normals());
+}
 } // namespace
 
 std::vector<PairedBenchmark> RigidToolBenchmarks()
 {
-  return {StrokeBenchmark("ball", 12, 0.0), StrokeBenchmark("capsule", 12, 10.0),
-          StrokeBenchmark("capsule", 20, 10.0)};
+  const ToolShape capsule = ToolShape::Capsule(ToolRadius, 10.0, 26);
+  return {StrokeBenchmark("ball", 12, ToolShape::Capsule(ToolRadius, 0.0, 26)),
+          StrokeBenchmark("capsule", 12, capsule),
+          StrokeBenchmark("capsule", 20, capsule),
+          StrokeBenchmark("drill", 12, ToolShape::Drill(2.5, 1.0, 40.0, 100)),
+          StrokeBenchmark("ellipsoid", 12, ToolShape::Ellipsoid({2.0, 2.0, 6.0}, 100)),
+          StrokeBenchmark("surface", 12, SurfaceOf500Points())};
 }
 } // namespace palpate::bench

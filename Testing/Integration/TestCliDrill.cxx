@@ -41,6 +41,34 @@ protected:
   DrillBlock Block;
 };
 
+TEST_F(CliDrill, BallOnAShaftRemovesWhatASphereDoes)
+{
+  const auto removed = [&](const std::string& name)
+  {
+    const CommandRun run = this->Run({"--drill", "pedal.json", "--output", name});
+    EXPECT_EQ(run.Code, 0) << run.Errors;
+    const nlohmann::json summary =
+        nlohmann::json::parse(ReadAll(this->Folder() / name / "summary.json"));
+    return summary["drilled"]["removed"][0]["mm3"].get<double>();
+  };
+  const double bySphere = removed("sphere");
+  const std::filesystem::path file = this->Folder() / "block.scene.json";
+  nlohmann::json scene = nlohmann::json::parse(ReadAll(file));
+  scene["tool"] = {
+      {"shape", "drill"}, {"radius_mm", 1.6}, {"shaft_radius_mm", 0.5}, {"length_mm", 40}};
+  std::ofstream(file) << scene;
+  // A hole may be wider by the clearance, a tenth of a voxel. The shaft is above it.
+  EXPECT_NEAR(removed("drill"), bySphere, 0.1 * bySphere);
+}
+
+TEST_F(CliDrill, ShaftNeedsALength)
+{
+  const CommandRun run =
+      RunPalpate({"touch", "ct.nrrd", "--iso", "750", "--tool-shaft", "0.5"}, this->Folder());
+  EXPECT_NE(run.Code, 0);
+  EXPECT_NE(run.Errors.find("--tool-length"), std::string::npos) << run.Errors;
+}
+
 TEST_F(CliDrill, DrilledVolumeIsReportedAndWritten)
 {
   const CommandRun run = this->Run({"--drill", "pedal.json", "--output", "felt", "--drilled",

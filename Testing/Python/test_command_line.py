@@ -220,6 +220,21 @@ class Measures(unittest.TestCase):
                     wanted = folder.json("register", "moving.mrk.json", "fixed.mrk.json", "--kind", kind)
                     landmarks = palpate.register_landmarks(points, surface, kind=kind)
                     self.equal(landmarks.map[:3], wanted["map"])
+                    other = bean((21, 20, 23))
+                    wanted = folder.json("register", folder.write("other.nrrd", other), name, "--kind", kind)
+                    bodies = palpate.register_bodies(other, mask, kind=kind, **PLACE)
+                    self.equal(bodies.map[:3], wanted["map"])
+                    self.equal(bodies.rms, wanted["surface"]["rms_mm"])
+            self.compare_registered_models(folder, mask, name)
+
+    def compare_registered_models(self, folder, mask, name):
+        models = [palpate.fit_mask(one, 6, "surface", **PLACE) for one in (bean((21, 20, 23)), mask)]
+        for n, model in enumerate(models):
+            model.write(folder.path / f"model{n}.json")
+        wanted = folder.json("register", "model0.json", "model1.json")
+        self.equal(palpate.register_bodies(*models).map[:3], wanted["map"])
+        wanted = folder.json("register", "model0.json", name)  # a model onto a mask
+        self.equal(palpate.register_bodies(models[0], mask, **PLACE).map[:3], wanted["map"])
 
     def test_cohorts(self):
         random = numpy.random.default_rng(8)

@@ -24,13 +24,14 @@ enum class WallFault
   NoNormal ///< the zero vector
 };
 
-/// Counters of a wall's tracker, its fault and whether its proxy is behind, settable from any
-/// thread.
+/// Counters of a wall's tracker, its fault, whether its proxy is behind and how far beside the
+/// tool's origin it touches, settable from any thread.
 struct WallControl
 {
   std::atomic<int> Questions{0};
   std::atomic<WallFault> Fault{WallFault::None};
   std::atomic<bool> IsBehind{false};
+  std::atomic<double> Arm{0.0}; ///< mm, along y
 };
 
 /// The half-space below a height along z, a metre wide; the simplest exact contact model.
@@ -91,6 +92,7 @@ private:
       this->Felt.IsTouching = depth > 0.0;
       this->Felt.Depth = this->Felt.IsTouching ? depth : 0.0;
       this->Felt.ProxyWorld = pose.PositionWorld + Vector3(0.0, 0.0, this->Felt.Depth);
+      this->Felt.Turn = this->Control->Arm * this->Felt.Depth * Vector3::UnitX();
       this->Felt.IsBehind = this->Control->IsBehind;
     }
     void Spoil(WallFault fault) noexcept
@@ -156,7 +158,14 @@ public:
   bool Apply(const Vector3& force) noexcept override
   {
     this->Applied = this->RefusesForce ? this->Applied : force;
+    this->AppliedTorque = this->RefusesForce ? this->AppliedTorque : Vector3::Zero();
     return !this->RefusesForce;
+  }
+  bool ApplyWrench(const Vector3& force, const Vector3& torque) noexcept override
+  {
+    const bool isTaken = this->Apply(force);
+    this->AppliedTorque = isTaken ? torque : this->AppliedTorque;
+    return isTaken;
   }
   void Show(const TouchState& state) noexcept override { this->Shown = state; }
 
@@ -166,6 +175,7 @@ public:
   bool RepeatsSample = false;
   bool RefusesForce = false;
   Vector3 Applied = Vector3::Zero();
+  Vector3 AppliedTorque = Vector3::Zero();
   TouchState Shown;
 };
 } // namespace palpate::test

@@ -240,6 +240,7 @@ TEST(Arguments, ComparisonsSurviveEveryNull)
   SURVIVES(palpate_register_landmarks, b.A.data(), b.B.data(), 5, 0, 0.0, &registration, b.C.data(),
            b.D.data(), e);
   SURVIVES(palpate_register_points, points.data(), 50, c, 0, 0.0, Identity, &registration, e);
+  SURVIVES(palpate_register_bodies, c, c, 0, 0.0, Identity, &registration, e);
   palpate_relation relation{};
   SURVIVES(palpate_relate, c, c, 1.0, b.A.data(), 2, &relation, b.B.data(), points.data(), e);
   SURVIVES(palpate_compare, c, c, b.A.data(), 2, &comparison, b.B.data(), points.data(),

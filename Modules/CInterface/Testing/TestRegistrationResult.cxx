@@ -99,6 +99,32 @@ TEST(RegistrationResult, PointsReturnToTheirSurface)
   EXPECT_LT(found.rms, 1e-5);
 }
 
+TEST(RegistrationResult, BodiesFindEachOtherFromTheirCentroids)
+{
+  std::vector<double> points;
+  const Owned<palpate_compared> fixed = Ellipsoid(points);
+  std::vector<double> away = Moved(points, Truth().inverse());
+  std::vector<int32_t> triangles(3 * palpate_mesh_triangle_count(12));
+  std::vector<double> ball(points.size());
+  palpate_model_mesh(BallModel().get(), 12, ball.data(), nullptr, triangles.data(), nullptr);
+  const Owned<palpate_compared> moving(palpate_compared_of_mesh(
+      away.data(), away.size() / 3, triangles.data(), triangles.size() / 3, nullptr));
+  palpate_registration found{};
+  palpate_error error{};
+  ASSERT_EQ(palpate_register_bodies(moving.get(), fixed.get(), 0, 0.0, nullptr, &found, &error), 1)
+      << error.text;
+  EXPECT_EQ(found.has_converged, 1);
+  EXPECT_LT((Eigen::Map<Map>(found.map) - Truth().matrix()).norm(), 1e-4);
+  // The ellipsoid also fits after half a turn, if it starts there.
+  const Map turned = (Truth() * Eigen::AngleAxisd(3.0, Eigen::Vector3d::UnitZ())).matrix();
+  ASSERT_EQ(
+      palpate_register_bodies(moving.get(), fixed.get(), 0, 0.0, turned.data(), &found, &error), 1)
+      << error.text;
+  EXPECT_GT((Eigen::Map<Map>(found.map) - Truth().matrix()).norm(), 1.0) << "the start counts";
+  EXPECT_EQ(palpate_register_bodies(moving.get(), fixed.get(), 4, 0.0, nullptr, &found, &error), 0);
+  EXPECT_STREQ(error.text, "the kind of a registration is 0, 1 or 2");
+}
+
 TEST(RegistrationResult, RefusesInASentence)
 {
   const std::vector<double> points = Scatter(10);

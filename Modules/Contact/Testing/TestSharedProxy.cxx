@@ -1,104 +1,25 @@
 #include "ClosestPointSearch.h"
-#include "FieldContactCases.h"
-#include "MeshCases.h"
-#include "SharedProxy.h"
+#include "SharedToolCases.h"
+#include "TurnBetween.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace palpate::shared_proxy_test
 {
 namespace
 {
-constexpr double BallRadius = 15.0; // mm, of the structures
-constexpr double ToolRadius = 2.0;  // mm
+constexpr double BallRadius = test::TouchedRadius;
+constexpr double ToolRadius = 2.0; // mm
 // mm. A tangent plane stands for the surface over a micrometre, in which it turns by 1e-4.
 constexpr double PlaneError = 2e-4;
-
-// A tool among some models, all of which are near.
-class Tool
-{
-public:
-  explicit Tool(const ToolShape& shape) : Shape(shape), Proxy(*shape.Skeleton()) {}
-
-  void Among(const ContactModel& model, const SurfaceFriction& friction = {})
-  {
-    std::unique_ptr<ToolGaps> gaps;
-    const Status status = model.MakeGaps(this->Shape, friction, gaps);
-    ASSERT_TRUE(status.IsOk()) << status.Message();
-    this->Near.push_back(static_cast<std::uint32_t>(this->Proxy.Add(std::move(gaps))));
-  }
-  void Begin(const ToolPose& pose)
-  {
-    this->Proxy.Begin(pose, this->Near.data(), this->Near.size());
-  }
-  void Follow(const ToolPose& hand)
-  {
-    this->Proxy.Follow(hand, this->Near.data(), this->Near.size());
-  }
-  // Until the proxy rests.
-  const Contact& Settle(const ToolPose& hand, std::size_t structure = 0)
-  {
-    for (int tick = 0; tick < 400; ++tick)
-    {
-      this->Follow(hand);
-      if (!this->Proxy.ShareOf(structure).IsBehind)
-      {
-        break;
-      }
-    }
-    return this->Proxy.ShareOf(structure);
-  }
-  const ToolPose& Place() const { return this->Proxy.Pose(); }
-  const Contact& ShareOf(std::size_t structure) const { return this->Proxy.ShareOf(structure); }
-  bool Passes(std::size_t structure) const { return this->Proxy.Passes(structure); }
-
-private:
-  ToolShape Shape;
-  SharedProxy Proxy;
-  std::vector<std::uint32_t> Near;
-};
-
-// A ball of 15 mm in voxels of 0.5 mm; index coordinates.
-struct BallField
-{
-  Vector3 Middle;
-
-  double Value(const Vector3& p) const { return 2.0 * BallRadius - (p - this->Middle).norm(); }
-};
-
-std::shared_ptr<const ContactModel> BallByField(const Vector3& center)
-{
-  const FieldGrid grid = test::FineGrid(96);
-  return test::FieldContact(test::SampledField(grid, BallField{grid.PointIndex(center)}));
-}
-
-struct Kind
-{
-  const char* Name;
-  std::shared_ptr<const ContactModel> Model;
-  Vector3 Center;
-  double Error; // mm
-};
-
-// The ball as all kinds of structures. The mesh is inside of it by up to 0.01 mm; the gradient of
-// an interpolated distance turns by as much within a voxel.
-std::vector<Kind> Kinds()
-{
-  const RadialModel ball = test::Sphere(BallRadius, Vector3(3.0, -2.0, 5.0));
-  const Vector3 inField = test::FineGrid(96).PointWorld(Vector3::Constant(47.3));
-  return {{"radial", test::RadialContact(ball), ball.CenterWorld(), 1e-6},
-          {"facets", test::FacetContact(test::MeshOf(ball, 40)), ball.CenterWorld(), 0.01},
-          {"field", BallByField(inField), inField, 0.015}};
-}
 
 TEST(SharedProxy, CapsuleAcrossABallGivesTheClosedForm)
 {
   const Eigen::Quaterniond lying(Eigen::AngleAxisd(0.5 * EIGEN_PI, Vector3::UnitY()));
-  for (const Kind& kind : Kinds())
+  for (const test::TouchedBall& kind : test::TouchedBalls())
   {
     SCOPED_TRACE(kind.Name);
-    Tool tool(ToolShape::Capsule(ToolRadius, 10.0, 400));
+    test::SharedTool tool(ToolShape::Capsule(ToolRadius, 10.0, 400));
     tool.Among(*kind.Model);
     tool.Begin({kind.Center + Vector3(0.0, 0.0, BallRadius + 6.0), lying});
     const ToolPose hand{kind.Center + Vector3(0.0, 0.0, BallRadius + ToolRadius - 1.0), lying};
@@ -119,7 +40,7 @@ TEST(SharedProxy, OneBallIsASphere)
   const RadialModel organ = test::RandomOrgan(random, 8);
   const auto model = test::RadialContact(organ);
   const auto tracker = test::TrackerOf(*model, ToolShape::Sphere(ToolRadius));
-  Tool tool(ToolShape::Capsule(ToolRadius, 0.0, 26));
+  test::SharedTool tool(ToolShape::Capsule(ToolRadius, 0.0, 26));
   tool.Among(*model);
   test::WanderingDirection direction(random);
   const auto place = [&](double depth)
@@ -147,7 +68,7 @@ TEST(SharedProxy, TwoStructuresHoldAToolByTheirShares)
   constexpr double Aside = 16.0; // mm, of each ball's centre
   const auto left = test::RadialContact(test::Sphere(BallRadius, Vector3(-Aside, 0.0, 0.0)));
   const auto right = test::RadialContact(test::Sphere(BallRadius, Vector3(Aside, 0.0, 0.0)));
-  Tool tool(ToolShape::Capsule(ToolRadius, 0.0, 26));
+  test::SharedTool tool(ToolShape::Capsule(ToolRadius, 0.0, 26));
   tool.Among(*left);
   tool.Among(*right);
   tool.Begin(test::At({0.0, 0.0, 20.0}));
@@ -163,12 +84,48 @@ TEST(SharedProxy, TwoStructuresHoldAToolByTheirShares)
             PlaneError);
 }
 
+// The hand has turned by more than a tool that touches turns in a tick: until the proxy has
+// arrived, the whole is what couples both, or a hand would gain energy from planes that it has long
+// left.
+TEST(SharedProxy, SharesAddUpToTheCouplingWhileTheToolTips)
+{
+  const ToolShape shape = ToolShape::Capsule(ToolRadius, 40.0, 200);
+  const double length = shape.Skeleton()->Gyration();
+  test::SharedTool tool(shape);
+  tool.Among(*test::FacetContact(test::BoxMesh({10.0, 10.0, 10.0})));
+  const RadialModel ball(0, {BallRadius * std::sqrt(4.0 * EIGEN_PI)}, {-12.0, 0.0, -4.2});
+  tool.Among(*test::RadialContact(ball)); // a little higher than the box
+  const Eigen::Quaterniond lying(Eigen::AngleAxisd(0.5 * EIGEN_PI, Vector3::UnitY()));
+  ToolPose hand{{7.0, 0.0, 10.0 + ToolRadius + 3.0}, lying};
+  tool.Begin(hand);
+  hand.PositionWorld.z() -= 4.0;
+  tool.Settle(hand);
+  int behind = 0;
+  for (int tick = 0; tick < 200; ++tick)
+  {
+    // It tips over the edge, and then comes back.
+    const double angle = tick < 100 ? 0.6 : -0.3;
+    hand.Orientation = Eigen::AngleAxisd(angle, Vector3::UnitY()) * lying;
+    tool.Follow(hand);
+    const Contact& one = tool.ShareOf(0);
+    const Contact& other = tool.ShareOf(1);
+    ASSERT_TRUE(one.IsTouching || other.IsTouching) << tick;
+    behind += one.IsBehind ? 1 : 0;
+    const Vector3 shift = one.ProxyWorld + other.ProxyWorld - 2.0 * hand.PositionWorld;
+    const Vector3 turn = TurnBetween(hand.Orientation, tool.Place().Orientation);
+    // A tool that arrives may yet move by less than 5 um.
+    ASSERT_LE((shift - (tool.Place().PositionWorld - hand.PositionWorld)).norm(), 0.005) << tick;
+    ASSERT_LE((one.Turn + other.Turn - length * length * turn).norm(), 0.005 * length) << tick;
+  }
+  EXPECT_GT(behind, 20);
+}
+
 TEST(SharedProxy, StructureAroundTheToolIsPassedUntilItHasLeft)
 {
-  for (const Kind& kind : Kinds())
+  for (const test::TouchedBall& kind : test::TouchedBalls())
   {
     SCOPED_TRACE(kind.Name);
-    Tool tool(ToolShape::Capsule(ToolRadius, 6.0, 200));
+    test::SharedTool tool(ToolShape::Capsule(ToolRadius, 6.0, 200));
     tool.Among(*kind.Model);
     tool.Begin(test::At(kind.Center));
     EXPECT_TRUE(tool.Passes(0));
@@ -187,7 +144,7 @@ TEST(SharedProxy, EntersNoOrganHoweverTheHandMoves)
   const RadialModel organ = test::RandomOrgan(random, 10);
   const ClosestPointSearch search(test::Shared(organ));
   const ToolShape shape = ToolShape::Capsule(ToolRadius, 12.0, 200);
-  Tool tool(shape);
+  test::SharedTool tool(shape);
   tool.Among(*test::RadialContact(organ));
   tool.Begin(test::At(organ.CenterWorld() + Vector3(0.0, 0.0, 60.0)));
   double deepest = 0.0;

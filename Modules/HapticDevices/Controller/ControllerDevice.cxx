@@ -4,10 +4,37 @@
 #include "DecimalText.h"
 #include "SteeredDevice.h"
 
+#include <filesystem>
+#include <unistd.h>
+
 namespace palpate
 {
 namespace
 {
+// SDL leaves out what this user may not read.
+std::string Forbidden()
+{
+  std::error_code failure;
+  for (const auto& entry : std::filesystem::directory_iterator("/dev/input", failure))
+  {
+    const std::string path = entry.path().string();
+    if (entry.path().filename().string().rfind("js", 0) == 0 && access(path.c_str(), R_OK) != 0)
+    {
+      return path;
+    }
+  }
+  return {};
+}
+
+Status NoController()
+{
+  const std::string forbidden = Forbidden();
+  return Status::Failure(
+      forbidden.empty() ? "No game controller is plugged in: plug one in, or pair it."
+                        : "The game controller at " + forbidden +
+                              " may not be read by this user: add the user to the group input.");
+}
+
 Status FindControllers(std::vector<FoundDevice>& found)
 {
   std::shared_ptr<const SdlLibrary> sdl;
@@ -25,7 +52,7 @@ Status FindControllers(std::vector<FoundDevice>& found)
     found.push_back({std::to_string(found.size() + 1), true, name});
   }
   sdl->End();
-  return found.empty() ? Status::Failure("No game controller is plugged in.") : Status::Success();
+  return found.empty() ? NoController() : Status::Success();
 }
 } // namespace
 
@@ -46,6 +73,7 @@ Status RegisterControllerDevices(DeviceRegistry& registry)
         device = std::make_unique<SteeredDevice>(clock, std::make_unique<ControllerSource>(number));
         return Status::Success();
       },
-      [](Clock&, std::vector<FoundDevice>& found) { return FindControllers(found); });
+      [](Clock&, std::vector<FoundDevice>& found) { return FindControllers(found); },
+      DeviceRegistry::Proof::UntriedOnHardware);
 }
 } // namespace palpate

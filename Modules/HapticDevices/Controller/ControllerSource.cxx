@@ -65,9 +65,9 @@ void ControllerSource::Run(std::promise<Status>& opened)
   this->IsThere = controller != nullptr;
   if (controller == nullptr)
   {
-    opened.set_value(Status::Failure(this->Number == 1 ? "No game controller is plugged in."
-                                                       : "There is no game controller " +
-                                                             std::to_string(this->Number) + "."));
+    opened.set_value(Status::Failure(
+        this->Number == 1 ? "No game controller is plugged in: plug one in, or pair it."
+                          : "There is no game controller " + std::to_string(this->Number) + "."));
   }
   else
   {

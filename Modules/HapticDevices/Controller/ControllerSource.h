@@ -23,6 +23,7 @@ public:
   ~ControllerSource() override { this->ControllerSource::Close(); }
 
   std::string Name() const override { return "Game controller"; }
+  int Buttons() const override { return SdlLibrary::ButtonCount; }
   std::string Problem() const override;
   Status Open() override;
   void Close() noexcept override;

@@ -42,6 +42,7 @@ DeviceCapabilities CapabilitiesOf(const FalconKinematics& kinematics,
 {
   DeviceCapabilities c;
   c.Name = "Novint Falcon";
+  c.Buttons = 4;
   const Vector3 corner = Vector3::Constant(WorkspaceRadius);
   c.Workspace = {-corner, corner};
   c.MaximumForce = MaximumForceOf(kinematics, calibration.CountsPerNewtonMillimeter);

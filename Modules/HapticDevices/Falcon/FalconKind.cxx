@@ -76,6 +76,6 @@ Status AddFalconKind(DeviceRegistry& registry, const std::shared_ptr<FalconFinde
   return registry.Add("falcon",
                       "a Novint Falcon: falcon:device=<bus path or serial>,firmware=<file>,"
                       "calibration=<file>, each of which may be left out",
-                      make, search);
+                      make, search, DeviceRegistry::Proof::UntriedOnHardware);
 }
 } // namespace palpate

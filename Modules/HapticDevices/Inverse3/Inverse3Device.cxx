@@ -24,6 +24,7 @@ Inverse3Device::Inverse3Device(Clock& clock, Inverse3Address address)
 {
   this->Abilities.Name = "Haply Inverse3";
   this->Abilities.DegreesOfFreedom = 6;
+  this->Abilities.Buttons = 3; // of its grip
   this->Abilities.Workspace = Cube(Reach);
   this->Abilities.MaximumForce = MostForceShown;
   this->Abilities.Rate = 1000.0;
@@ -130,9 +131,7 @@ bool Inverse3Device::Apply(const Vector3& force) noexcept
 Status RegisterInverse3Devices(DeviceRegistry& registry)
 {
   return registry.Add(
-      "inverse3",
-      "a Haply Inverse3, 3x or Minverse, by its maker's service; inverse3[:ID] (untried on "
-      "hardware)",
+      "inverse3", "a Haply Inverse3, 3x or Minverse, by its maker's service; inverse3[:ID]",
       [](Clock& clock, const std::string& argument, std::unique_ptr<HapticDevice>& device)
       {
         Inverse3Address address;
@@ -153,6 +152,7 @@ Status RegisterInverse3Devices(DeviceRegistry& registry)
           found.push_back({"", true, "the service answers"});
         }
         return status;
-      });
+      },
+      DeviceRegistry::Proof::UntriedOnHardware);
 }
 } // namespace palpate

@@ -19,8 +19,14 @@ public:
   template <typename Function>
   void Find(const char* name, Function& function)
   {
-    function = reinterpret_cast<Function>(this->Address(name));
+    this->FindIfThere(name, function);
     this->HasAll = this->HasAll && function != nullptr;
+  }
+  /// The same of a function that only newer libraries have: null without it.
+  template <typename Function>
+  void FindIfThere(const char* name, Function& function)
+  {
+    function = reinterpret_cast<Function>(this->Address(name));
   }
   bool IsWhole() const noexcept { return this->IsOpen() && this->HasAll; }
 

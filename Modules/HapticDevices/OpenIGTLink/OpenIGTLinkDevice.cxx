@@ -361,6 +361,7 @@ Status RegisterOpenIGTLinkDevices(DeviceRegistry& registry)
       {
         return Status::Failure("A peer is met when the device is opened: name it, such as "
                                "openigtlink:18944.");
-      });
+      },
+      DeviceRegistry::Proof::UntriedOnHardware);
 }
 } // namespace palpate

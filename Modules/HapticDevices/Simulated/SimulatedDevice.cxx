@@ -1,6 +1,7 @@
 #include "SimulatedDevice.h"
 
 #include "ClampedLength.h"
+#include "TurnBetween.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,9 @@ DeviceCapabilities CapabilitiesOf(const SimulatedSettings& settings)
   c.Name = "Simulated device";
   const Vector3 corner = Vector3::Constant(settings.WorkspaceRadius);
   c.Workspace = {-corner, corner};
+  c.DegreesOfFreedom = settings.MaximumTorque > 0.0 ? 6 : 3;
   c.MaximumForce = settings.MaximumForce;
+  c.MaximumTorque = settings.MaximumTorque;
   c.MaximumStiffness = settings.MaximumStiffness;
   c.MaximumDamping = settings.MaximumDamping;
   c.Damping = settings.Hand.Damping;
@@ -41,7 +44,7 @@ std::int64_t Nanoseconds(double seconds) noexcept
 
 SimulatedDevice::SimulatedDevice(Clock& clock, const SimulatedSettings& settings)
     : Time(clock), Settings(settings), Abilities(CapabilitiesOf(settings)),
-      Body(settings.Hand, Vector3::Zero())
+      Body(settings.Hand, Vector3::Zero()), Joint(settings.Wrist, Eigen::Quaterniond::Identity())
 {
 }
 
@@ -60,6 +63,8 @@ Status SimulatedDevice::Open()
   this->Reached = this->Opened;
   this->Target = this->TargetAt(this->Opened);
   this->Body = SimulatedHand(this->Settings.Hand, this->Target);
+  this->TurnTarget = this->TurnTargetAt(this->Opened);
+  this->Joint = SimulatedWrist(this->Settings.Wrist, this->TurnTarget);
   this->ForgetCommands();
   this->Life = this->Settings.HomingDuration > 0.0 ? DeviceState::Homing : DeviceState::Ready;
   return Status::Success();
@@ -84,7 +89,14 @@ Vector3 SimulatedDevice::TargetAt(std::int64_t time) noexcept
              : Vector3(this->Wanted.Latest());
 }
 
-const Vector3& SimulatedDevice::ForceAt(std::int64_t time) noexcept
+Eigen::Quaterniond SimulatedDevice::TurnTargetAt(std::int64_t time) const
+{
+  return this->Settings.TurnPath != nullptr
+             ? this->Settings.TurnPath(1e-9 * static_cast<double>(time - this->Opened))
+             : Eigen::Quaterniond::Identity();
+}
+
+const SimulatedDevice::Command& SimulatedDevice::CommandAt(std::int64_t time) noexcept
 {
   while (this->CommandCount > 0 && this->Commands[this->Oldest].Time <= time)
   {
@@ -95,8 +107,9 @@ const Vector3& SimulatedDevice::ForceAt(std::int64_t time) noexcept
   if (time - this->InEffect.Time > ForceLapse)
   {
     this->InEffect.Force.setZero();
+    this->InEffect.Torque.setZero();
   }
-  return this->InEffect.Force;
+  return this->InEffect;
 }
 
 void SimulatedDevice::AdvanceTo(std::int64_t now) noexcept
@@ -110,13 +123,21 @@ void SimulatedDevice::AdvanceTo(std::int64_t now) noexcept
   const double step = 1e-9 * static_cast<double>(duration) / static_cast<double>(steps);
   const Vector3 end = this->TargetAt(now);
   const Vector3 increment = (end - this->Target) / static_cast<double>(steps);
+  const Eigen::Quaterniond endTurn = this->TurnTargetAt(now);
+  const Vector3 turn = TurnBetween(this->TurnTarget, endTurn) / static_cast<double>(steps);
   for (std::int64_t i = 0; i < steps; ++i)
   {
-    const Vector3& force = this->ForceAt(this->Reached + i * duration / steps);
-    this->Body.Advance(this->Target + static_cast<double>(i) * increment, increment / step, force,
-                       step);
+    const Command& command = this->CommandAt(this->Reached + i * duration / steps);
+    this->Body.Advance(this->Target + static_cast<double>(i) * increment, increment / step,
+                       command.Force, step);
+    if (this->Turns())
+    {
+      this->Joint.Advance(TurnedBy(static_cast<double>(i) * turn, this->TurnTarget), turn / step,
+                          command.Torque, step);
+    }
   }
   this->Target = end;
+  this->TurnTarget = endTurn;
   this->Reached = now;
 }
 
@@ -144,6 +165,7 @@ void SimulatedDevice::Measure(std::int64_t now, SimulatedFault fault) noexcept
   }
   ++this->Last.Sequence;
   this->Last.Time = fault == SimulatedFault::LateSamples ? now - Lateness : now;
+  Eigen::Map<Eigen::Vector4d>(this->Last.Orientation.data()) = this->Joint.Orientation().coeffs();
   this->Last.Position = fault == SimulatedFault::MirroredPosition ? Vector3(-position) : position;
 }
 
@@ -168,7 +190,7 @@ bool SimulatedDevice::Read(DeviceSample& sample) noexcept
   return true;
 }
 
-bool SimulatedDevice::Apply(const Vector3& force) noexcept
+bool SimulatedDevice::ApplyWrench(const Vector3& force, const Vector3& torque) noexcept
 {
   const DeviceState state = this->State();
   if (state == DeviceState::Closed || state == DeviceState::Error ||
@@ -184,8 +206,9 @@ bool SimulatedDevice::Apply(const Vector3& force) noexcept
   Command& command = this->Commands[(this->Oldest + this->CommandCount) % this->Commands.size()];
   ++this->CommandCount;
   command.Time = this->Time.Now() + Nanoseconds(this->Settings.Delay);
-  command.Force = state == DeviceState::Ready ? ClampedLength(force, this->Settings.MaximumForce)
-                                              : Vector3::Zero();
+  const bool isReady = state == DeviceState::Ready;
+  command.Force = isReady ? ClampedLength(force, this->Settings.MaximumForce) : Vector3::Zero();
+  command.Torque = isReady ? ClampedLength(torque, this->Settings.MaximumTorque) : Vector3::Zero();
   return true;
 }
 

@@ -26,9 +26,11 @@ Status RegisterSpaceMouseDevices(DeviceRegistry& registry)
         const Status status = source.Open();
         if (status.IsOk())
         {
-          found.push_back({"", true, "spacenavd answers"});
+          found.push_back(
+              {"", true, "spacenavd answers; move the cap to see that it is plugged in"});
         }
         return status;
-      });
+      },
+      DeviceRegistry::Proof::UntriedOnHardware);
 }
 } // namespace palpate

@@ -54,9 +54,12 @@ Status SpaceMouseSource::Open()
   this->Socket = ConnectedTo(this->Path);
   if (this->Socket < 0)
   {
-    return Status::Failure("spacenavd does not answer at " + this->Path + " (" +
-                           std::strerror(errno) +
-                           "): install and start it, and plug the SpaceMouse in.");
+    const bool isForbidden = errno == EACCES || errno == EPERM;
+    return Status::Failure(
+        isForbidden ? "The socket of spacenavd at " + this->Path +
+                          " may not be used by this user: ask who set it up to allow it."
+                    : "spacenavd does not answer at " + this->Path + " (" + std::strerror(errno) +
+                          "): install and start it, and plug the SpaceMouse in.");
   }
   this->Events = {};
   return Status::Success();

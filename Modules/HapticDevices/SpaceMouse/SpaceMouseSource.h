@@ -17,6 +17,7 @@ public:
   ~SpaceMouseSource() override { this->SpaceMouseSource::Close(); }
 
   std::string Name() const override { return "SpaceMouse"; }
+  int Buttons() const override { return 2; }
   std::string Problem() const override;
   Status Open() override;
   void Close() noexcept override;

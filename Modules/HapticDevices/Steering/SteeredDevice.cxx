@@ -22,6 +22,7 @@ SteeredDevice::SteeredDevice(Clock& clock, std::unique_ptr<SteeringSource> sourc
 {
   this->Abilities.Name = this->Source->Name();
   this->Abilities.DegreesOfFreedom = 6;
+  this->Abilities.Buttons = this->Source->Buttons();
 }
 
 DeviceState SteeredDevice::State() const noexcept

@@ -30,6 +30,7 @@ public:
   virtual ~SteeringSource() = default;
 
   virtual std::string Name() const = 0; ///< for display
+  virtual int Buttons() const = 0;      ///< number of those that every source of the kind has
   /// Why Read returned false, and what to do.
   virtual std::string Problem() const = 0;
   virtual Status Open() = 0;

@@ -1,4 +1,4 @@
-// Every fault ends in 0 N within two ticks, is named, and persists until it is rearmed.
+// Every fault ends in 0 N and 0 N mm within two ticks, is named, and persists until it is rearmed.
 #include "SimulatedTouch.h"
 
 #include <functional>
@@ -8,18 +8,20 @@ namespace palpate::servo_faults_test
 {
 namespace
 {
-// A rig that presses 3 mm into a wall 10 mm below the origin.
+// A rig that presses 3 mm into a wall 10 mm below the origin, which also turns it.
 struct Rig
 {
   explicit Rig(bool hasMotors)
       : Touch(test::WallScene(-10.0, {1.0, 0.001}, this->Wall), Pressing(hasMotors))
   {
+    this->Wall->Arm = 4.0;
   }
 
   static SimulatedSettings Pressing(bool hasMotors)
   {
     SimulatedSettings device;
     device.HasMotors = hasMotors;
+    device.MaximumTorque = 200.0;
     device.Path = [](double) { return Vector3(0.0, 0.0, -13.0); };
     return device;
   }
@@ -93,6 +95,7 @@ protected:
   void SetUp() override
   {
     ASSERT_GT(this->Broken.Touch.Tick(1000).ForceDevice.Z, 0.5);
+    ASSERT_GT(this->Broken.Touch.Loop.Latest().TorqueDevice.X, 2.0);
     ASSERT_TRUE(this->Broken.Touch.Loop.Latest().Safety.IsArmed);
   }
   Rig Broken{true};
@@ -107,6 +110,7 @@ TEST_P(ServoFaults, EndInZeroForceWithinTwoTicks)
     const TouchState& state = this->Broken.Touch.Tick();
     ASSERT_EQ(Vector3(state.ForceDevice), Vector3::Zero());
     ASSERT_EQ(Vector3(state.ForceWorld), Vector3::Zero());
+    ASSERT_EQ(Vector3(state.TorqueDevice), Vector3::Zero());
     ASSERT_EQ(state.Safety.Fault, GetParam().Expected) << Describe(state.Safety.Fault);
     ASSERT_FALSE(state.Safety.IsArmed);
   }

@@ -1,4 +1,5 @@
 #include "SimulatedHand.h"
+#include "SimulatedWrist.h"
 
 #include "RandomShapes.h"
 
@@ -68,6 +69,25 @@ TEST(SimulatedHand, OscillatesAtNaturalFrequency)
   }
   // The explicit spring adds energy of first order in step times frequency, 5e-4.
   EXPECT_NEAR(hand.Position()[0], 0.0, 1e-3);
+}
+
+TEST(SimulatedHand, WristTurnsAboutAnAxisAsAMassMovesAlongALine)
+{
+  const Vector3 axis = Vector3(1.0, -2.0, 0.5).normalized();
+  SimulatedHand hand(WristProperties(), Vector3::Zero());
+  SimulatedWrist wrist(WristProperties(), Eigen::Quaterniond::Identity());
+  for (int n = 0; n < 50'000; ++n)
+  {
+    const double target = 0.8 * std::sin(1e-3 * n);
+    const Vector3 torque = 50.0 * std::cos(7e-4 * n) * axis;
+    hand.Advance(target * axis, Vector3::Zero(), torque, Step);
+    wrist.Advance(Eigen::Quaterniond(Eigen::AngleAxisd(target, axis)), Vector3::Zero(), torque,
+                  Step);
+  }
+  EXPECT_GT(hand.Position().norm(), 0.01);
+  const Eigen::AngleAxisd turned(wrist.Orientation());
+  EXPECT_NEAR((turned.angle() * turned.axis() - hand.Position()).norm(), 0.0, 1e-9); // roundings
+  EXPECT_NEAR(wrist.Energy().TakenIn(), hand.Energy().TakenIn(), 1e-6);
 }
 
 TEST(SimulatedHand, FrictionHoldsAgainstSmallForce)

@@ -11,6 +11,8 @@ namespace
 {
 constexpr double LargestReach = 55.0; // mm; the smallest of the arms, omega, has as much
 constexpr double ForceOfAll = 8.0;    // N; the weakest of the arms, omega, displays 12
+constexpr double TorqueOfAll = 150.0; // N mm; the weakest of the wrists
+constexpr double NewtonMeters = 1e-3; // per N mm: torques of the SDK
 constexpr double FromMeters = 1000.0;
 constexpr std::chrono::microseconds StepPeriod(500);
 
@@ -32,6 +34,7 @@ struct ForceDimensionArm::Calls
   int (*EnableForce)(unsigned char, char) = nullptr;
   int (*GetPose)(double*, double*, double*, double (*)[3], char) = nullptr;
   unsigned (*GetButtons)(char) = nullptr;
+  bool (*HasActiveWrist)(char) = nullptr; // null in libraries that know none
   int (*SetForce)(double, double, double, double, double, double, double, char) = nullptr;
 
   Calls()
@@ -43,6 +46,7 @@ struct ForceDimensionArm::Calls
     this->Library.Find("dhdEnableForce", this->EnableForce);
     this->Library.Find("dhdGetPositionAndOrientationFrame", this->GetPose);
     this->Library.Find("dhdGetButtonMask", this->GetButtons);
+    this->Library.FindIfThere("dhdHasActiveWrist", this->HasActiveWrist);
     this->Library.Find("dhdSetForceAndTorqueAndGripperForce", this->SetForce);
   }
 };
@@ -51,6 +55,7 @@ ForceDimensionArm::ForceDimensionArm()
 {
   this->Known.Name = "Force Dimension";
   this->Known.DegreesOfFreedom = 6;
+  this->Known.Buttons = 1; // which all have
   this->Known.Workspace = {Vector3::Constant(-LargestReach), Vector3::Constant(LargestReach)};
   this->Known.MaximumForce = ForceOfAll;
   this->Known.Rate = 1000.0;
@@ -75,6 +80,8 @@ Status ForceDimensionArm::Open()
   const auto id = static_cast<char>(this->Device);
   const char* const name = this->Dhd->GetSystemName(id);
   this->Known.Name = std::string("Force Dimension ") + (name != nullptr ? name : "device");
+  const bool turns = this->Dhd->HasActiveWrist != nullptr && this->Dhd->HasActiveWrist(id);
+  this->Known.MaximumTorque = turns ? TorqueOfAll : 0.0;
   if (this->Dhd->EnableForce(1, id) < 0)
   {
     const std::string trouble = this->Trouble();
@@ -115,10 +122,12 @@ bool ForceDimensionArm::Measure(DeviceSample& sample) noexcept
   return true;
 }
 
-bool ForceDimensionArm::Push(const Vector3& force) noexcept
+bool ForceDimensionArm::Push(const Vector3& force, const Vector3& torque) noexcept
 {
   const Vector3 shown = Axes().transpose() * ClampedLength(force, ForceOfAll);
-  return this->Dhd->SetForce(shown.x(), shown.y(), shown.z(), 0.0, 0.0, 0.0, 0.0,
+  const Vector3 turn =
+      NewtonMeters * (Axes().transpose() * ClampedLength(torque, this->Known.MaximumTorque));
+  return this->Dhd->SetForce(shown.x(), shown.y(), shown.z(), turn.x(), turn.y(), turn.z(), 0.0,
                              static_cast<char>(this->Device)) >= 0;
 }
 

@@ -19,9 +19,12 @@ constexpr unsigned CurrentButtons = 0x2000;
 constexpr unsigned CurrentPosition = 0x2050;  // mm
 constexpr unsigned CurrentTransform = 0x2052; // 4 x 4, column by column
 constexpr unsigned UsableWorkspace = 0x2551;  // mm, least x, y, z, largest x, y, z
+constexpr unsigned OutputDegrees = 0x2554;    // 6: forces, and torques of the gimbal
 constexpr unsigned NominalStiffness = 0x2602; // N/mm
 constexpr unsigned NominalForce = 0x2603;     // N
+constexpr unsigned NominalTorque = 0x2622;    // mN m, so N mm; only in the header
 constexpr unsigned CurrentForce = 0x2700;     // N
+constexpr unsigned CurrentTorque = 0x2701;    // mN m
 constexpr unsigned ForceOutput = 0x4000;
 constexpr unsigned GoesOn = 1;
 constexpr unsigned IsDone = 0;
@@ -30,6 +33,8 @@ constexpr unsigned WarmMotors = 0x0200; // a warning
 
 constexpr double UsualForce = 3.3;    // N, of a Touch
 constexpr double StrongestArm = 40.0; // N
+constexpr double UsualTorque = 48.0;  // N mm, of a Phantom Premium 6DOF about its weakest axis
+constexpr double StrongestTorque = 1000.0;
 constexpr std::chrono::milliseconds LongestEnd(100);
 } // namespace
 
@@ -72,6 +77,7 @@ OpenHapticsArm::OpenHapticsArm(std::string name) : Name(std::move(name)), Device
 {
   this->Known.Name = "3D Systems Touch";
   this->Known.DegreesOfFreedom = 6;
+  this->Known.Buttons = 2; // of the stylus
   this->Known.Workspace = {Vector3(-80.0, -60.0, -35.0), Vector3(80.0, 60.0, 35.0)};
   this->Known.MaximumForce = UsualForce;
   this->Known.Rate = 1000.0;
@@ -111,6 +117,10 @@ void OpenHapticsArm::TakeAbilities()
   this->Hd->GetDoubles(UsableWorkspace, box.data());
   this->Hd->GetDoubles(NominalForce, &force);
   this->Hd->GetDoubles(NominalStiffness, &stiffness);
+  int degrees = 0;
+  double torque = 0.0;
+  this->Hd->GetIntegers(OutputDegrees, &degrees);
+  this->Hd->GetDoubles(NominalTorque, &torque);
   static_cast<void>(this->Hd->GetError()); // older drivers do not know all of them
   const Eigen::AlignedBox3d workspace(Vector3(box[0], box[1], box[2]),
                                       Vector3(box[3], box[4], box[5]));
@@ -120,6 +130,8 @@ void OpenHapticsArm::TakeAbilities()
     this->Known.Workspace = workspace;
   }
   this->Known.MaximumForce = force > 0.0 && force <= StrongestArm ? force : UsualForce;
+  torque = torque > 0.0 && torque <= StrongestTorque ? torque : UsualTorque;
+  this->Known.MaximumTorque = degrees == 6 ? torque : 0.0;
   this->Known.MaximumStiffness = stiffness > 0.0 && stiffness < 100.0 ? stiffness : 0.0;
 }
 
@@ -162,10 +174,15 @@ bool OpenHapticsArm::Measure(DeviceSample& sample) noexcept
   return this->Failure == 0;
 }
 
-bool OpenHapticsArm::Push(const Vector3& force) noexcept
+bool OpenHapticsArm::Push(const Vector3& force, const Vector3& torque) noexcept
 {
   const Vector3 shown = ClampedLength(force, this->Known.MaximumForce);
   this->Hd->SetDoubles(CurrentForce, shown.data());
+  if (this->Known.MaximumTorque > 0.0)
+  {
+    const Vector3 turn = ClampedLength(torque, this->Known.MaximumTorque);
+    this->Hd->SetDoubles(CurrentTorque, turn.data());
+  }
   this->Hd->EndFrame(this->Device);
   const Error error = this->Hd->GetError();
   this->Failure = error.Code != WarmMotors ? error.Code : 0;

@@ -10,8 +10,8 @@
 namespace palpate
 {
 /// A device of 3D Systems by HDAPI of OpenHaptics 3 (libHD.so, or $PALPATE_LIBHD): the few calls of
-/// its reference that one arm needs, declared here. Its limits of force and velocity stay on. Its
-/// frame is ours.
+/// its reference that one arm needs, declared here. An arm with six degrees of output, as a Phantom
+/// Premium 6DOF, shows torques. Its limits of force and velocity stay on. Its frame is ours.
 class OpenHapticsArm final : public VendorArm
 {
 public:
@@ -23,7 +23,7 @@ public:
   Status Open() override;
   Status Run(std::function<bool()> step) override;
   bool Measure(DeviceSample& sample) noexcept override;
-  bool Push(const Vector3& force) noexcept override;
+  bool Push(const Vector3& force, const Vector3& torque) noexcept override;
   void End() noexcept override;
   std::string Trouble() const override;
 

@@ -26,8 +26,9 @@ public:
   virtual Status Run(std::function<bool()> step) = 0;
   /// Place (mm), orientation and buttons. Returns false if the device failed.
   virtual bool Measure(DeviceSample& sample) noexcept = 0;
-  /// Displays a force (N), once after each Measure. Returns false if the device failed.
-  virtual bool Push(const Vector3& force) noexcept = 0;
+  /// Displays a force (N) and, if its MaximumTorque is above 0, a torque (N mm), once after each
+  /// Measure. Returns false if the device failed.
+  virtual bool Push(const Vector3& force, const Vector3& torque) noexcept = 0;
   /// Waits for the last step, and closes the device. No effect if it is not open.
   virtual void End() noexcept = 0;
   /// Of a device that failed: what its library said, and what to do.

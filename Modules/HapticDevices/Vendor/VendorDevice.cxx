@@ -36,6 +36,7 @@ Status VendorDevice::Open()
   }
   this->MustEnd = false;
   this->MostForce = this->Arm->Abilities().MaximumForce;
+  this->MostTorque = this->Arm->Abilities().MaximumTorque;
   this->Last = {};
   this->Last.Time = this->Time.Now();
   this->Newest.Publish(this->Last);
@@ -59,7 +60,7 @@ void VendorDevice::Close() noexcept
   }
 }
 
-// The last one pushes 0 N.
+// The last one pushes 0 N, and turns with 0 N mm.
 bool VendorDevice::Step() noexcept
 {
   DeviceSample now;
@@ -67,12 +68,13 @@ bool VendorDevice::Step() noexcept
   const Command& command = this->Wanted.Latest();
   const std::int64_t time = this->Time.Now();
   const bool pushes = isWell && !this->MustEnd && time - command.Time <= ForceHolds;
-  isWell = this->Arm->Push(pushes ? Vector3(command.Force) : Vector3::Zero()) && isWell;
+  const Command shown = pushes ? command : Command();
+  isWell = this->Arm->Push(shown.Force, shown.Torque) && isWell;
   if (!isWell)
   {
     // What the library still takes of it: the failure may have come with a force.
     static_cast<void>(this->Arm->Measure(now));
-    static_cast<void>(this->Arm->Push(Vector3::Zero()));
+    static_cast<void>(this->Arm->Push(Vector3::Zero(), Vector3::Zero()));
     this->Life = DeviceState::Error;
     return false;
   }
@@ -100,7 +102,7 @@ bool VendorDevice::Read(DeviceSample& sample) noexcept
   return true;
 }
 
-bool VendorDevice::Apply(const Vector3& force) noexcept
+bool VendorDevice::ApplyWrench(const Vector3& force, const Vector3& torque) noexcept
 {
   const DeviceState state = this->State();
   if (state != DeviceState::Homing && state != DeviceState::Ready)
@@ -108,8 +110,9 @@ bool VendorDevice::Apply(const Vector3& force) noexcept
     return false;
   }
   const bool isReady = state == DeviceState::Ready;
-  this->Wanted.Publish(
-      {isReady ? ClampedLength(force, this->MostForce) : Vector3::Zero(), this->Time.Now()});
+  this->Wanted.Publish({isReady ? ClampedLength(force, this->MostForce) : Vector3::Zero(),
+                        isReady ? ClampedLength(torque, this->MostTorque) : Vector3::Zero(),
+                        this->Time.Now()});
   return true;
 }
 
@@ -123,30 +126,28 @@ Status RegisterVendorDevices(DeviceRegistry& registry)
       const Status status = device.Open();
       if (status.IsOk())
       {
-        found.push_back({"", true, device.Capabilities().Name});
+        found.push_back({"", true, device.Capabilities().Name, device.Capabilities()});
       }
       return status;
     };
   };
   const Status status = registry.Add(
       "openhaptics",
-      "a 3D Systems Touch or Touch X by OpenHaptics, where it is installed; openhaptics[:NAME] "
-      "(untried on hardware)",
+      "a 3D Systems Touch or Touch X by OpenHaptics, where it is installed; openhaptics[:NAME]",
       [](Clock& clock, const std::string& argument, std::unique_ptr<HapticDevice>& device)
       {
         device = std::make_unique<VendorDevice>(clock, std::make_unique<OpenHapticsArm>(argument));
         return Status::Success();
       },
-      search([] { return std::make_unique<OpenHapticsArm>(""); }));
+      search([] { return std::make_unique<OpenHapticsArm>(""); }),
+      DeviceRegistry::Proof::UntriedOnHardware);
   if (!status.IsOk())
   {
     return status;
   }
   return registry.Add(
       "forcedimension",
-      "an omega, delta, sigma or lambda by Force Dimension's SDK, where it is installed (untried "
-      "on "
-      "hardware)",
+      "an omega, delta, sigma or lambda by Force Dimension's SDK, where it is installed",
       [](Clock& clock, const std::string& argument, std::unique_ptr<HapticDevice>& device)
       {
         if (!argument.empty())
@@ -156,6 +157,7 @@ Status RegisterVendorDevices(DeviceRegistry& registry)
         device = std::make_unique<VendorDevice>(clock, std::make_unique<ForceDimensionArm>());
         return Status::Success();
       },
-      search([] { return std::make_unique<ForceDimensionArm>(); }));
+      search([] { return std::make_unique<ForceDimensionArm>(); }),
+      DeviceRegistry::Proof::UntriedOnHardware);
 }
 } // namespace palpate

@@ -13,6 +13,7 @@ struct DeviceCapabilities
 {
   std::string Name;              ///< for display
   int DegreesOfFreedom = 3;      ///< of the measured pose: 3 or 6
+  int Buttons = 0;               ///< number of them; 0: none, or not known
   Eigen::AlignedBox3d Workspace; ///< mm
   double MaximumForce = 0.0;     ///< N, in any direction
   double MaximumTorque = 0.0;    ///< N mm, about any axis; 0 if it shows none
@@ -32,6 +33,15 @@ struct DeviceCapabilities
   /// N, device's frame: force that carries the weight of its handle. The servo adds it to the
   /// scene's forces, so that it passes the safety chain too.
   PlainVector3 GravityCompensation;
+
+  /// mm: a turn by one rad counts as much as a motion by it, and a torque as much as a force by it.
+  /// 0 if it shows no torque. Equal motors behind other gears have this square times the damping,
+  /// so a coupling of the stiffness k and at most k times this square for turns is as stable in
+  /// turns as in motions.
+  double TurnLength() const noexcept
+  {
+    return this->MaximumForce > 0.0 ? this->MaximumTorque / this->MaximumForce : 0.0;
+  }
 
   /// Guaranteed rate of new samples, Hz.
   double LeastRate() const noexcept

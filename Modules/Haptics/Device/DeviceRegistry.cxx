@@ -13,7 +13,7 @@ const DeviceRegistry::Kind* DeviceRegistry::Find(const std::string& name) const
 }
 
 Status DeviceRegistry::Add(const std::string& name, const std::string& description, Factory factory,
-                           Search search)
+                           Search search, Proof proof)
 {
   if (name.empty() || name.find(':') != std::string::npos || factory == nullptr)
   {
@@ -23,7 +23,7 @@ Status DeviceRegistry::Add(const std::string& name, const std::string& descripti
   {
     return Status::Failure("There is already a kind of device named " + name + ".");
   }
-  this->Known.push_back({name, description, std::move(factory), std::move(search)});
+  this->Known.push_back({name, description, std::move(factory), std::move(search), proof});
   return Status::Success();
 }
 

@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,8 @@ struct FoundDevice
   std::string Argument;  ///< for the factory of its kind
   bool IsUsable = false; ///< it can be opened in its current state
   std::string Details;   ///< its state, or what prevents its use
+  /// What it answered while it was open; none: what is known of its kind.
+  std::optional<DeviceCapabilities> Capabilities = std::nullopt;
 };
 
 /// Kinds of devices that a program supports, by name. Not a global: the program creates, fills and
@@ -32,17 +35,25 @@ public:
   /// while to open.
   using Search = std::function<Status(Clock& clock, std::vector<FoundDevice>& found)>;
 
+  /// What a back end has proved itself on.
+  enum class Proof
+  {
+    Done,              ///< on the device itself, or there is none
+    UntriedOnHardware, ///< on a virtual device only
+  };
+
   struct Kind
   {
     std::string Name;
     std::string Description;
     Factory MakeDevice;
     Search FindDevices; ///< null: devices of this kind need not be plugged in
+    Proof ProvedBy = Proof::Done;
   };
 
   /// Fails for an empty or duplicate name, and an empty factory.
   Status Add(const std::string& name, const std::string& description, Factory factory,
-             Search search = nullptr);
+             Search search = nullptr, Proof proof = Proof::Done);
 
   /// In the order of Add.
   const std::vector<Kind>& Kinds() const noexcept { return this->Known; }

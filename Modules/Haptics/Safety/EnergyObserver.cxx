@@ -5,9 +5,24 @@
 
 namespace palpate
 {
-void EnergyObserver::Account(const Vector3& force, const Vector3& path) noexcept
+namespace
 {
-  const double taken = -force.dot(path);
+// Shortened so that it does not turn a push (a force or a torque) into its opposite.
+Vector3 WithoutPull(const Vector3& damping, const Vector3& push) noexcept
+{
+  const double square = push.squaredNorm();
+  if (!(square > 0.0))
+  {
+    return Vector3::Zero();
+  }
+  const double along = damping.dot(push) / square;
+  return along < -1.0 ? Vector3(damping - (along + 1.0) * push) : damping;
+}
+} // namespace
+
+void EnergyObserver::Account(const ToolWrench& wrench, const Twist& path) noexcept
+{
+  const double taken = -wrench.Force.dot(path.Shift) - wrench.Torque.dot(path.Turn);
   this->Balance += std::isfinite(taken) ? taken : 0.0;
 }
 
@@ -16,27 +31,18 @@ void EnergyObserver::Credit(double energy) noexcept
   this->Balance += energy > 0.0 && std::isfinite(energy) ? energy : 0.0;
 }
 
-Vector3 EnergyObserver::Damping(const Vector3& contactForce, const Vector3& velocity,
-                                double period) noexcept
+ToolWrench EnergyObserver::Damping(const ToolWrench& contact, const Twist& velocity,
+                                   double period) noexcept
 {
-  const double square = velocity.squaredNorm();
+  const double perTurn = this->TurnLength * this->TurnLength;
+  const double square = velocity.Shift.squaredNorm() + perTurn * velocity.Turn.squaredNorm();
   if (!(this->Balance < 0.0) || !(square > 0.0) || !std::isfinite(square) || !(period > 0.0))
   {
-    return Vector3::Zero();
+    return {};
   }
   const double wanted = -this->Balance / (period * square);
-  Vector3 damping = -std::min(wanted, this->LargestDamping) * velocity;
-  const double push = contactForce.squaredNorm();
-  if (!(push > 0.0))
-  {
-    return Vector3::Zero();
-  }
-  // Relative to the contact's force.
-  const double along = damping.dot(contactForce) / push;
-  if (along < -1.0)
-  {
-    damping -= (along + 1.0) * contactForce;
-  }
-  return damping;
+  const double damping = std::min(wanted, this->LargestDamping);
+  return {WithoutPull(-damping * velocity.Shift, contact.Force),
+          WithoutPull(-damping * perTurn * velocity.Turn, contact.Torque)};
 }
 } // namespace palpate

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "Vector3.h"
+#include "PoseConstraints.h"
+#include "ToolWrench.h"
 
 namespace palpate
 {
@@ -14,20 +15,25 @@ namespace palpate
 ///
 /// A sampled spring generates a little energy in every motion, K T / 2 times velocity squared, and
 /// so do encoder counts; a mechanism's own damping and friction absorb it. Their guaranteed part is
-/// credited, or every stable wall would be damped.
+/// credited, or every stable wall would be damped. Torques and turns count as forces and motions.
 class EnergyObserver
 {
 public:
-  /// `largestDamping` (N s/mm): the device's limit; 0 only observes.
-  explicit EnergyObserver(double largestDamping) noexcept : LargestDamping(largestDamping) {}
+  /// `largestDamping` (N s/mm): the device's limit; 0 only observes. `turnLength` (mm): its
+  /// DeviceCapabilities::TurnLength, whose square times the same damps turns.
+  explicit EnergyObserver(double largestDamping, double turnLength = 0.0) noexcept
+      : LargestDamping(largestDamping), TurnLength(turnLength)
+  {
+  }
 
-  /// The hand moved by `path` (mm) while `force` (N) was applied.
-  void Account(const Vector3& force, const Vector3& path) noexcept;
+  /// The hand moved by `path` while `wrench` was applied.
+  void Account(const ToolWrench& wrench, const Twist& path) noexcept;
   /// Energy (N mm) absorbed by the mechanism itself; ignored if not positive.
   void Credit(double energy) noexcept;
-  /// The force (N) to add to the contact's, against the hand's velocity (mm/s), that absorbs the
-  /// excess energy in one `period` (s). It never turns the contact's push into a pull.
-  Vector3 Damping(const Vector3& contactForce, const Vector3& velocity, double period) noexcept;
+  /// What to add to the contact's wrench, against the hand's velocity (mm/s, rad/s), that absorbs
+  /// the excess energy in one `period` (s). It never turns the contact's push into a pull, nor a
+  /// torque into its opposite.
+  ToolWrench Damping(const ToolWrench& contact, const Twist& velocity, double period) noexcept;
   /// The contact has ended.
   void Close() noexcept { this->Balance = 0.0; }
 
@@ -36,6 +42,7 @@ public:
 
 private:
   double LargestDamping;
+  double TurnLength; // mm
   double Balance = 0.0;
 };
 } // namespace palpate

@@ -8,22 +8,15 @@ namespace
 {
 // s. The filter's gain is at most 1, so no more is credited than was absorbed.
 constexpr double MotionTimeConstant = 0.003;
-
-// N mm/s: all of the torque in the time of all of the force.
-double TorqueRate(const SafetySettings& settings) noexcept
-{
-  return settings.MaximumForce > 0.0
-             ? settings.MaximumSlew / settings.MaximumForce * settings.MaximumTorque
-             : 0.0;
-}
 } // namespace
 
 SafetyChain::SafetyChain(const SafetySettings& settings) noexcept
     : Dog(settings.Limits), Recovery(settings.HasMotors), Ramp(settings.RampDuration),
-      Energy(settings.LargestDamping), Limit(settings.MaximumForce), Slew(settings.MaximumSlew),
-      TorqueLimit(settings.MaximumTorque), TorqueSlew(TorqueRate(settings)),
-      Motion(MotionTimeConstant), DeviceDamping(settings.DeviceDamping),
-      DeviceFriction(settings.DeviceFriction)
+      Energy(settings.LargestDamping, settings.TurnLength), Limit(settings.MaximumForce),
+      Slew(settings.MaximumSlew), TorqueLimit(settings.MaximumTorque),
+      TorqueSlew(settings.MaximumSlew * settings.TurnLength), Motion(MotionTimeConstant),
+      Turning(MotionTimeConstant), TurnLength(settings.TurnLength),
+      DeviceDamping(settings.DeviceDamping), DeviceFriction(settings.DeviceFriction)
 {
 }
 
@@ -39,28 +32,38 @@ double SafetyChain::PeriodBefore(const TickObservation& now) const noexcept
                        : 0.0;
 }
 
-Vector3 SafetyChain::PathBefore(const TickObservation& now) const noexcept
+// Turns are not looked at where no torque is shown.
+Twist SafetyChain::PathBefore(const TickObservation& now) const noexcept
 {
-  return this->HasLast ? Vector3(Vector3(now.Sample.Position) - Vector3(this->Last.Sample.Position))
-                       : Vector3::Zero();
-}
-
-void SafetyChain::KeepBooks(const TickObservation& now, const Vector3& path, double period) noexcept
-{
-  const double speed = this->Motion.Update(now.Sample.Position, period).norm();
-  this->Energy.Account(this->AppliedContact, path);
-  if (this->HasLast && !this->AppliedTorque.isZero(0.0))
+  Twist path;
+  if (this->HasLast)
+  {
+    path.Shift = Vector3(now.Sample.Position) - Vector3(this->Last.Sample.Position);
+  }
+  if (this->HasLast && this->TurnLength > 0.0)
   {
     const Eigen::Map<const Eigen::Quaterniond> before(this->Last.Sample.Orientation.data());
     const Eigen::Map<const Eigen::Quaterniond> after(now.Sample.Orientation.data());
-    this->Energy.Account(this->AppliedTorque, TurnBetween(before, after));
+    path.Turn = TurnBetween(before, after);
   }
+  return path;
+}
+
+void SafetyChain::KeepBooks(const TickObservation& now, const Twist& path, double period) noexcept
+{
+  const double speed = this->Motion.Update(now.Sample.Position, period).norm();
+  this->Turned += path.Turn;
+  const double turning = this->TurnLength * this->Turning.Update(this->Turned, period).norm();
+  this->Energy.Account({this->AppliedContact, this->AppliedTorque}, path);
   this->Energy.Credit((this->DeviceDamping * speed + this->DeviceFriction) * speed * period);
+  this->Energy.Credit(this->DeviceDamping * turning * turning * period);
 }
 
 Vector3 SafetyChain::Zero() noexcept
 {
   this->Motion.Reset();
+  this->Turning.Reset();
+  this->Turned.setZero();
   this->HasLast = false;
   this->AppliedContact.setZero();
   this->AppliedTorque.setZero();
@@ -140,27 +143,24 @@ Vector3 SafetyChain::Apply(const SafetyInput& input) noexcept
   return force;
 }
 
-Vector3 SafetyChain::ShapedTorque(const Vector3& torque, double factor, double period) noexcept
-{
-  const Vector3 limited = this->TorqueLimit.Apply(factor * this->Guard.Apply(torque));
-  return this->TorqueLimit.Apply(this->TorqueSlew.Apply(limited, period));
-}
-
 Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
 {
   const double period = this->PeriodBefore(input.Observed);
-  const Vector3 path = this->PathBefore(input.Observed);
+  const Twist path = this->PathBefore(input.Observed);
   this->KeepBooks(input.Observed, path, period);
   const double factor = this->Ramp.Advance(period);
   Vector3 contact = factor * this->Guard.Apply(input.ContactForce);
+  Vector3 torque = factor * this->Guard.Apply(input.ContactTorque);
   const Vector3 ambient = factor * this->Guard.Apply(input.AmbientForce);
-  if (!input.IsTouching && this->AppliedContact.isZero(0.0))
+  if (!input.IsTouching && this->AppliedContact.isZero(0.0) && this->AppliedTorque.isZero(0.0))
   {
     this->Energy.Close();
   }
   // By the unfiltered difference: a filtered velocity is too late to absorb energy.
-  const Vector3 damping = this->Energy.Damping(contact, path / period, period);
-  contact += damping;
+  const ToolWrench damping =
+      this->Energy.Damping({contact, torque}, {path.Shift / period, path.Turn / period}, period);
+  contact += damping.Force;
+  torque += damping.Torque;
 
   const Vector3 limited = this->Limit.Apply(contact + ambient);
   const Vector3 slewed = this->Slew.Apply(limited, period);
@@ -171,11 +171,12 @@ Vector3 SafetyChain::Shape(const SafetyInput& input) noexcept
   this->AppliedContact = force - ambient;
   const double wanted = (contact + ambient).norm();
   const double kept = isLimited ? limited.norm() / wanted : 1.0;
-  this->AppliedTorque = this->ShapedTorque(input.ContactTorque, kept * factor, period);
+  this->AppliedTorque = this->TorqueLimit.Apply(
+      this->TorqueSlew.Apply(this->TorqueLimit.Apply(kept * torque), period));
 
-  this->LastReport = {
-      SafetyFault::None,      true,  this->Ramp.IsRamping(), !damping.isZero(0.0), isLimited,
-      this->Slew.IsSlewing(), false, this->Energy.Energy()};
+  const bool isDamping = !damping.Force.isZero(0.0) || !damping.Torque.isZero(0.0);
+  this->LastReport = {SafetyFault::None,      true,  this->Ramp.IsRamping(), isDamping, isLimited,
+                      this->Slew.IsSlewing(), false, this->Energy.Energy()};
   return force;
 }
 } // namespace palpate

@@ -16,10 +16,12 @@ struct SafetySettings
 {
   double MaximumForce = 0.0;   ///< N; 0: no force
   double MaximumSlew = 2000.0; ///< N/s
-  double MaximumTorque = 0.0;  ///< N mm; 0: no torque. It changes as fast as the force, by its part
+  double MaximumTorque = 0.0;  ///< N mm; 0: no torque
+  /// mm, DeviceCapabilities::TurnLength: a torque changes as fast as a force times this.
+  double TurnLength = 0.0;
   double RampDuration = 0.3;   ///< s
   double LargestDamping = 0.0; ///< N s/mm, limit for the energy observer
-  double DeviceDamping = 0.0;  ///< N s/mm, of the mechanism; 0 if unknown
+  double DeviceDamping = 0.0;  ///< N s/mm, of the mechanism (EnergyObserver); 0 if unknown
   double DeviceFriction = 0.0; ///< N, likewise
   bool HasMotors = true;       ///< false: faults of timing end by themselves
   WatchdogLimits Limits;
@@ -69,9 +71,8 @@ private:
   SafetyFault FaultOf(const SafetyInput& input) noexcept;
   Vector3 Shape(const SafetyInput& input) noexcept;
   double PeriodBefore(const TickObservation& now) const noexcept;
-  Vector3 PathBefore(const TickObservation& now) const noexcept;
-  void KeepBooks(const TickObservation& now, const Vector3& path, double period) noexcept;
-  Vector3 ShapedTorque(const Vector3& torque, double factor, double period) noexcept;
+  Twist PathBefore(const TickObservation& now) const noexcept;
+  void KeepBooks(const TickObservation& now, const Twist& path, double period) noexcept;
   Vector3 Zero() noexcept;
 
   Watchdog Dog;
@@ -84,11 +85,14 @@ private:
   ForceLimit TorqueLimit;
   SlewLimit TorqueSlew;
   SafetyReport LastReport;
-  VelocityEstimate Motion; // mm/s
-  double DeviceDamping;    // N s/mm
-  double DeviceFriction;   // N
+  VelocityEstimate Motion;  // mm/s
+  VelocityEstimate Turning; // rad/s
+  double TurnLength;        // mm
+  double DeviceDamping;     // N s/mm
+  double DeviceFriction;    // N
   TickObservation Last;
   bool HasLast = false;
+  Vector3 Turned = Vector3::Zero();         // rad, the sum of all turns since the last reset
   Vector3 AppliedContact = Vector3::Zero(); // N, of the last tick, held since
   Vector3 AppliedTorque = Vector3::Zero();  // N mm, likewise
 };

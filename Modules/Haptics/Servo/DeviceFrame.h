@@ -34,6 +34,11 @@ public:
     return this->Rotation.transpose() * world;
   }
   Vector3 TurnedToWorld(const Vector3& device) const noexcept { return this->Rotation * device; }
+  /// From the tool's to the device's frame, of an orientation in the world.
+  Eigen::Quaterniond OrientationDevice(const Eigen::Quaterniond& world) const noexcept
+  {
+    return this->Turn.conjugate() * world;
+  }
   /// mm of the world per mm of the hand.
   double Magnification() const noexcept { return this->Scale; }
 

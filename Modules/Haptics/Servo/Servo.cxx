@@ -25,6 +25,7 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
   SafetySettings safety;
   safety.MaximumForce = device.MaximumForce;
   safety.MaximumTorque = device.MaximumTorque;
+  safety.TurnLength = device.TurnLength();
   safety.LargestDamping = device.MaximumDamping;
   safety.DeviceDamping = device.Damping;
   safety.DeviceFriction = device.Friction;
@@ -39,16 +40,19 @@ SafetySettings SafetyOf(const DeviceCapabilities& device, const ServoSettings& s
 Servo::Servo(HapticDevice& device, const ServoSettings& settings)
     : Recorded(settings.RecordedTicks), Device(device), Settings(settings),
       HandVelocity(settings.VelocityTimeConstant), MostForce(device.Capabilities().MaximumForce),
+      TurnLength(device.Capabilities().TurnLength()),
       Safety(SafetyOf(device.Capabilities(), settings)),
       Carrying(device.Capabilities().GravityCompensation),
-      MostUntaken(TicksPerSample(device.Capabilities(), settings) - 1)
+      MostUntaken(TicksPerSample(device.Capabilities(), settings) - 1),
+      ClutchButtons(settings.ClutchButtons)
 {
 }
 
 Status Servo::Publish(std::shared_ptr<const TouchScene> scene, SceneEntry entry)
 {
   std::unique_ptr<ServoScene> next;
-  Status status = ServoScene::Make(std::move(scene), this->Settings.VelocityTimeConstant, next);
+  Status status = ServoScene::Make(std::move(scene), this->Settings.VelocityTimeConstant, next,
+                                   this->TurnLength);
   if (status.IsOk())
   {
     next->SetEntry(entry);
@@ -127,7 +131,8 @@ Servo::Change Servo::TakeOver(const TickObservation& now) noexcept
 void Servo::TakeClutch(const TickObservation& now, bool isReleased) noexcept
 {
   const bool isKnown = now.State == DeviceState::Ready && now.HasSample;
-  const bool isDown = isKnown && (now.Sample.Buttons & this->Settings.ClutchButtons) != 0;
+  const std::uint32_t buttons = this->ClutchButtons.load(std::memory_order_acquire);
+  const bool isDown = isKnown && (now.Sample.Buttons & buttons) != 0;
   const bool isHeld = this->ClutchWanted.exchange(false, std::memory_order_acq_rel) || isDown;
   const bool was = this->IsClutched;
   this->IsClutched = isHeld || (was && !isReleased);
@@ -346,6 +351,11 @@ TouchState Servo::StateOf(const TickObservation& now, const Vector3& force) noex
   state.ForceWorld = scene != nullptr ? scene->Scene().Frame.TurnedToWorld(force) : force;
   state.Structure = this->Current.Felt.Structure;
   state.Depth = this->Current.Felt.Deepest.Depth;
+  state.HasFoot = state.Structure >= 0 && this->Current.Felt.Deepest.HasFoot;
+  if (state.HasFoot)
+  {
+    state.FootWorld = this->Current.Felt.Deepest.FootWorld;
+  }
   const ElasticForce* const elastic = this->Current.Felt.Deepest.Elastic;
   if (state.Structure >= 0 && elastic != nullptr)
   {

@@ -36,8 +36,8 @@ struct ServoSettings
 /// same forces to the last bit.
 ///
 /// Publish, Reclaim, Command: one publishing thread. Tick: the servo thread. Latest: one reading
-/// thread. PopRecorded: one recording thread. Rearm, SwitchOff, HoldClutch, ReleaseClutch,
-/// RunDrill, LiftPedals: any. Resume, StaysOff: while no thread ticks.
+/// thread. PopRecorded: one recording thread. Rearm, SwitchOff, HoldClutch, SetClutchButtons,
+/// ReleaseClutch, RunDrill, LiftPedals: any. Resume, StaysOff: while no thread ticks.
 class Servo
 {
 public:
@@ -52,9 +52,9 @@ public:
   /// no force until the tool has left it. FadeIn: that holds for all structures. Continuing: those
   /// with the same id carry on if the tool touched them, has not jumped by more than 1 mm of the
   /// hand with a new frame, and is free at its old proxy or up to StructureFollower::MostLifted
-  /// above it. The force changes from the old to the new one within HandoverDuration and, however
-  /// stiff, large or magnified the new scene is, rises by what the hand pushes on only
-  /// (HandoverLimit). Force fields, such as guides, are not limited: they fade in within
+  /// above it. Force and torque change from the old to the new one within HandoverDuration and,
+  /// however stiff, large or magnified the new scene is, rise by what the hand pushes and turns on
+  /// only (HandoverLimit). Force fields, such as guides, are not limited: they fade in within
   /// HandoverDuration. Continuing has no effect if nothing was rendered yet.
   Status Publish(std::shared_ptr<const TouchScene> scene, SceneEntry entry = SceneEntry::FadeIn);
   /// Destroys scenes that the servo no longer uses; Publish calls it too.
@@ -74,6 +74,11 @@ public:
   /// ReleaseClutch. Holding a ClutchButton does the same within the tick, however late other
   /// threads are.
   void HoldClutch() noexcept { this->ClutchWanted.store(true, std::memory_order_release); }
+  /// Others from the next tick on, one bit each; one that is down then counts as pressed.
+  void SetClutchButtons(std::uint32_t buttons) noexcept
+  {
+    this->ClutchButtons.store(buttons, std::memory_order_release);
+  }
   /// Ends that, unless a ClutchButton is down. Publish the scene to return to before.
   void ReleaseClutch() noexcept { this->UnclutchWanted.store(true, std::memory_order_release); }
 
@@ -150,24 +155,26 @@ private:
   VelocityEstimate HandVelocity; // mm/s, device's frame
   TurnLimit Turning;             // of the device
   DeviceSample LastFelt;
-  double MostForce; // N, of the device
+  double MostForce;  // N, of the device
+  double TurnLength; // mm, of the device
   SafetyChain Safety;
   Vector3 Carrying;     // N, for the device's gravity compensation
   int MostUntaken;      // consecutive ticks in which the device may refuse the force
   int UntakenTicks = 0; // consecutive, while the device is Ready
   int TicksSinceModel = 0;
-  std::atomic<bool> RearmWanted{false};    // set by any thread
-  std::atomic<bool> OffWanted{false};      // set by any thread
-  std::atomic<bool> ClutchWanted{false};   // set by any thread
-  std::atomic<bool> UnclutchWanted{false}; // set by any thread
-  std::atomic<bool> LiftWanted{false};     // set by any thread, for the button
-  std::atomic<bool> Pedal{false};          // set by any thread
-  bool IsClutched = false;                 // in this tick
-  bool IsDrilling = false;                 // in this tick
-  bool IsButtonPedal = false;              // a pedal button was pressed and runs the drill
-  bool WasButtonDown = true;               // in the last tick
-  double TickTime = 0.0;                   // s, of this tick
-  std::uint64_t OrderCount = 0;            // number of orders so far
+  std::atomic<std::uint32_t> ClutchButtons; // set by any thread
+  std::atomic<bool> RearmWanted{false};     // set by any thread
+  std::atomic<bool> OffWanted{false};       // set by any thread
+  std::atomic<bool> ClutchWanted{false};    // set by any thread
+  std::atomic<bool> UnclutchWanted{false};  // set by any thread
+  std::atomic<bool> LiftWanted{false};      // set by any thread, for the button
+  std::atomic<bool> Pedal{false};           // set by any thread
+  bool IsClutched = false;                  // in this tick
+  bool IsDrilling = false;                  // in this tick
+  bool IsButtonPedal = false;               // a pedal button was pressed and runs the drill
+  bool WasButtonDown = true;                // in the last tick
+  double TickTime = 0.0;                    // s, of this tick
+  std::uint64_t OrderCount = 0;             // number of orders so far
   bool HasFelt = false;
   bool CarriesOn = false; // the next step is the first of a scene that continues another one
 };

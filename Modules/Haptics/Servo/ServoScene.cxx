@@ -6,7 +6,7 @@
 namespace palpate
 {
 Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocityTimeConstant,
-                        std::unique_ptr<ServoScene>& made)
+                        std::unique_ptr<ServoScene>& made, double turnLength)
 {
   if (scene == nullptr)
   {
@@ -20,7 +20,10 @@ Status ServoScene::Make(std::shared_ptr<const TouchScene> scene, double velocity
   next->Followers.reserve(structures.size());
   if (const ToolSkeleton* const skeleton = next->Shared->SharedTool())
   {
-    next->Tool = std::make_shared<SharedProxy>(*skeleton);
+    const double longest = turnLength * next->Shared->Frame.Magnification();
+    next->Tool = std::make_shared<SharedProxy>(
+        *skeleton,
+        turnLength > 0.0 ? std::min(longest, skeleton->Gyration()) : skeleton->Gyration());
   }
   for (const TouchStructure& structure : structures)
   {
@@ -71,7 +74,8 @@ void ServoScene::Leave() noexcept
   this->Fading = {};
   this->ToolBefore.reset();
   this->Limit = HandoverLimit();
-  this->ContactNow.setZero();
+  this->ContactNow = {};
+  this->TorqueBefore.setZero();
   this->FieldNow.setZero();
   this->FieldBefore.setZero();
 }
@@ -110,13 +114,14 @@ void ServoScene::FadeOut(int structure, const FadingContact& contact) noexcept
 
 void ServoScene::CarryOn(const ServoScene& before) noexcept
 {
-  this->Limit = HandoverLimit(before.ContactNow.norm(), before.Hand);
+  this->Limit = HandoverLimit(before.ContactNow, before.Hand, before.HandTurn);
+  this->TorqueBefore = before.ContactNow.Torque;
   this->FieldBefore = before.FieldNow;
   if (this->Tool != nullptr && before.Tool != nullptr)
   {
     this->ToolBefore = {before.Tool->Pose(), before.ToolHand, before.Shared->Frame};
   }
-  this->FieldFading = RampIn(HandoverDuration);
+  this->Handover = RampIn(HandoverDuration);
   for (const FadingStructure& one : before.Fading)
   {
     this->FadeOut(this->IndexOf(before, one.Structure), one.Contact);
@@ -241,6 +246,10 @@ void ServoScene::BeginAgain(const FollowStep& step) noexcept
   for (const std::uint32_t drilled : this->Drilled)
   {
     StructureFollower& follower = this->Followers[drilled];
+    if (this->Tool != nullptr)
+    {
+      this->Tool->AskAgain(drilled);
+    }
     const FadingContact last = follower.FadingOut(this->Hand);
     if (follower.BeginAgain(step))
     {
@@ -284,22 +293,9 @@ double ServoScene::StiffnessDevice() const noexcept
   return largest;
 }
 
-ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
+// Adds the structures in reach.
+void ServoScene::FollowNear(const FollowStep& step, Feeling& feeling, Vector3& field) noexcept
 {
-  Feeling feeling;
-  feeling.Deepest.ProxyWorld = step.Now.PositionWorld;
-  feeling.ProxyOrientation = step.Now.Orientation;
-  Vector3 field = Vector3::Zero();
-  if (step.AsksModel)
-  {
-    this->TakeVersions();
-    this->LookAround(step);
-    this->BeginAgain(step);
-    if (this->Tool != nullptr)
-    {
-      this->MoveTool(step);
-    }
-  }
   for (std::size_t i = 0; i < this->NearCount; ++i)
   {
     StructureFollower& follower = this->Followers[this->Near[i]];
@@ -316,6 +312,11 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
       feeling.Deepest = contact;
     }
   }
+}
+
+// Adds what fades out of the previous scene, and limits the sum.
+void ServoScene::HandOver(const FollowStep& step, Feeling& feeling) noexcept
+{
   for (FadingStructure& one : this->Fading)
   {
     if (!one.Contact.IsOver())
@@ -323,26 +324,54 @@ ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
       feeling.Force += one.Contact.Advance(step.Hand, step.Passed);
     }
   }
+  const DeviceFrame& frame = this->Shared->Frame;
+  this->Hand = step.Hand;
+  this->HandTurn = frame.OrientationDevice(step.Now.Orientation);
   if (!this->Limit.IsOver())
   {
-    feeling.Force =
-        this->Limit.Limited(feeling.Force, this->StiffnessDevice(), step.Hand, step.Passed);
+    const double gyration =
+        this->Tool != nullptr ? this->Tool->Gyration() / frame.Magnification() : 0.0;
+    const ToolWrench limited =
+        this->Limit.Limited({feeling.Force, feeling.Torque}, this->StiffnessDevice(), gyration,
+                            this->Hand, this->HandTurn, step.Passed);
+    feeling.Force = limited.Force;
+    feeling.Torque = limited.Torque;
   }
+  this->ContactNow = {feeling.Force, feeling.Torque};
+}
+
+ServoScene::Feeling ServoScene::Follow(const FollowStep& step) noexcept
+{
+  Feeling feeling;
+  feeling.Deepest.ProxyWorld = step.Now.PositionWorld;
+  feeling.ProxyOrientation = step.Now.Orientation;
+  if (step.AsksModel)
+  {
+    this->TakeVersions();
+    this->LookAround(step);
+    this->BeginAgain(step);
+    if (this->Tool != nullptr)
+    {
+      this->MoveTool(step);
+    }
+  }
+  const double newPart = this->Handover.Advance(step.Passed);
+  Vector3 field = Vector3::Zero();
+  this->FollowNear(step, feeling, field);
+  feeling.Torque += (1.0 - newPart) * this->TorqueBefore;
+  this->HandOver(step, feeling);
   if (this->Tool != nullptr)
   {
     feeling.Deepest.ProxyWorld = this->Tool->Pose().PositionWorld;
     feeling.ProxyOrientation = this->Tool->Pose().Orientation;
   }
-  this->ContactNow = feeling.Force;
   for (const auto& everywhere : this->Shared->Fields)
   {
     const Vector3 force = everywhere->ForceWorld(step.Now.PositionWorld);
     field += this->Shared->Frame.TurnedToDevice(force);
   }
-  const double fading = this->FieldFading.Advance(step.Passed);
-  feeling.Field = fading * field + (1.0 - fading) * this->FieldBefore;
+  feeling.Field = newPart * field + (1.0 - newPart) * this->FieldBefore;
   this->FieldNow = feeling.Field;
-  this->Hand = step.Hand;
   return feeling;
 }
 } // namespace palpate

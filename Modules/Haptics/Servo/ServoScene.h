@@ -48,13 +48,15 @@ public:
     bool IsBehind = false; ///< a proxy has not reached its place (Contact::IsBehind)
   };
 
+  /// `turnLength` (mm of the hand; 0: no torque is shown): the device's, which limits how much a
+  /// turn counts as a shift, or the stiffness of turns would exceed what is stable.
   static Status Make(std::shared_ptr<const TouchScene> scene, double velocityTimeConstant,
-                     std::unique_ptr<ServoScene>& made);
+                     std::unique_ptr<ServoScene>& made, double turnLength = 0.0);
 
   Feeling Follow(const FollowStep& step) noexcept;
   /// Call before the first Follow, which must be placed: structures near the tool in the previous
-  /// scene carry on here if a structure has the same id, and other contacts fade out. The force of
-  /// all contacts then rises by the hand's motion only (HandoverLimit).
+  /// scene carry on here if a structure has the same id, and other contacts fade out. Force and
+  /// torque of all contacts then rise by the hand's motion only (HandoverLimit).
   void CarryOn(const ServoScene& before) noexcept;
   /// The structure here with the id of one in another scene; -1 if none.
   int IndexOf(const ServoScene& other, int structure) const noexcept;
@@ -90,6 +92,8 @@ private:
   void FadeOut(int structure, const FadingContact& contact) noexcept;
   int Find(int id) const noexcept;
   double StiffnessDevice() const noexcept;
+  void FollowNear(const FollowStep& step, Feeling& feeling, Vector3& field) noexcept;
+  void HandOver(const FollowStep& step, Feeling& feeling) noexcept;
   explicit ServoScene(std::shared_ptr<const TouchScene> scene) : Shared(std::move(scene)) {}
 
   std::shared_ptr<const TouchScene> Shared;
@@ -112,15 +116,17 @@ private:
   std::array<FadingStructure, MostContacts> Fading;
   std::array<FollowedBefore, MostContacts> Carried; // of the previous scene
   HandoverLimit Limit;                              // of all contacts
-  Vector3 ContactNow = Vector3::Zero();             // N, of the last Follow
-  Vector3 FieldNow = Vector3::Zero();               // N, of the last Follow
-  Vector3 FieldBefore = Vector3::Zero();            // N, of the previous scene, which fades out
-  RampIn FieldFading{0.0};                          // of the other
+  ToolWrench ContactNow;                            // of the last Follow
+  Vector3 TorqueBefore = Vector3::Zero();           // N mm, of the previous scene, which fades out
+  Vector3 FieldNow = Vector3::Zero();               // N, likewise
+  Vector3 FieldBefore = Vector3::Zero();            // N, likewise
+  RampIn Handover{0.0};                             // of this scene, after another one
   Vector3 Hand = Vector3::Zero();                   // mm, device's frame, of the last Follow
-  std::vector<std::uint32_t> Drilled;               // followers
-  const DrillVersions* Versions = nullptr;          // in use; owned by the link
-  std::uint64_t Version = 0;                        // their number
-  bool HasGrown = false;                            // since the last Follow that queried models
+  Eigen::Quaterniond HandTurn = Eigen::Quaterniond::Identity(); // likewise
+  std::vector<std::uint32_t> Drilled;                           // followers
+  const DrillVersions* Versions = nullptr;                      // in use; owned by the link
+  std::uint64_t Version = 0;                                    // their number
+  bool HasGrown = false; // since the last Follow that queried models
   SceneEntry EnteredAs = SceneEntry::FadeIn;
 };
 } // namespace palpate

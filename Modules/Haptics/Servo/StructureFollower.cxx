@@ -96,9 +96,12 @@ Status StructureFollower::Make(const TouchStructure& structure, const TouchScene
     return Status::Failure("The structure " + structure.Name +
                            " cannot be touched: " + status.Message());
   }
+  const SharedTracker* member = nullptr;
   if (shared != nullptr)
   {
-    tracker = std::make_unique<SharedTracker>(shared, shared->Add(std::move(gaps)));
+    auto made = std::make_unique<SharedTracker>(shared, shared->Add(std::move(gaps)));
+    member = made.get();
+    tracker = std::move(made);
   }
   if (structure.Site >= 0 && !tracker->CanBeDrilled())
   {
@@ -107,6 +110,7 @@ Status StructureFollower::Make(const TouchStructure& structure, const TouchScene
   }
   followers.push_back(
       StructureFollower(structure, scene, velocityTimeConstant, std::move(tracker)));
+  followers.back().Shared = member;
   return Status::Success();
 }
 
@@ -336,7 +340,7 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   }
   if (this->Feed != nullptr && felt.IsTouching)
   {
-    felt.Offset = this->Feed->Meet(step.Now, felt.Offset, this->IsCut(step));
+    felt.Offset = this->Fed(step, felt.Offset);
   }
   const Vector3 proxyWorld = step.Now.PositionWorld + felt.Offset;
   felt.Offset = this->Frame->LengthDevice(felt.Offset);
@@ -356,7 +360,8 @@ Vector3 StructureFollower::Follow(const FollowStep& step) noexcept
   this->OfFields = this->FieldForceAt(step.Now.PositionWorld);
   if (this->Feed != nullptr)
   {
-    this->Force += this->Drill(step, felt, this->Factor * touch.ContactForce.dot(felt.Normal));
+    this->Force += this->Drill(
+        step, felt, this->Factor * this->CutPart() * touch.ContactForce.dot(felt.Normal));
   }
   return this->Force;
 }
@@ -385,6 +390,28 @@ bool StructureFollower::EntersByCut() const noexcept
   const Vector3& normal = this->Last.NormalWorld;
   return this->Last.IsTouching &&
          IsOnCut(this->Structure->Cuts, this->SurfaceNear(this->Last.ProxyWorld, normal), normal);
+}
+
+// From the probe to the tool, mm, ahead of the proxy. A tool of several balls is where its proxy
+// is, and goes on by what holds up its cutting part.
+Vector3 StructureFollower::Fed(const FollowStep& step, const Vector3& offset) noexcept
+{
+  if (this->Shared == nullptr)
+  {
+    return this->Feed->Meet(step.Now, offset, this->IsCut(step));
+  }
+  const Vector3& cut = this->Shared->CutOffset();
+  ToolPose goal = this->Shared->ProxyPose();
+  goal.PositionWorld -= cut;
+  return offset - cut + this->Feed->Meet(goal, cut, this->IsCut(step));
+}
+
+// Of the push, by what cuts of the tool.
+double StructureFollower::CutPart() const noexcept
+{
+  return this->Shared != nullptr && this->Last.Depth > 0.0
+             ? std::min(this->Shared->CutOffset().norm() / this->Last.Depth, 1.0)
+             : 1.0;
 }
 
 // Feeds the tool towards the probe; returns the drilling force in addition to the contact's.

@@ -14,6 +14,8 @@
 
 namespace palpate
 {
+class SharedTracker;
+
 /// Input of a follower's tick.
 struct FollowStep
 {
@@ -151,6 +153,8 @@ private:
   Vector3 SurfaceNear(const Vector3& proxyWorld, const Vector3& normalWorld) const noexcept;
   Vector3 TorqueOf(const Contact& contact) const noexcept;
   Vector3 BeSilent(const FollowStep& step) noexcept;
+  Vector3 Fed(const FollowStep& step, const Vector3& offset) noexcept;
+  double CutPart() const noexcept;
   Vector3 Drill(const FollowStep& step, const ContactOffset& felt, double push) noexcept;
   bool FindStart(const FollowStep& step, ToolPose& start) noexcept;
   ContactOffset Felt(const FollowStep& step) noexcept;
@@ -162,7 +166,8 @@ private:
   Vector3 WithEffects(const EffectTouch& touch) const noexcept;
 
   std::unique_ptr<ContactTracker> Tracker;
-  std::unique_ptr<DrillFeed> Feed; // null: not drilled
+  const SharedTracker* Shared = nullptr; // the tracker, of a tool of several balls
+  std::unique_ptr<DrillFeed> Feed;       // null: not drilled
   const TouchStructure* Structure;
   const DeviceFrame* Frame;
   const TouchDrill* Tool;

@@ -58,11 +58,8 @@ struct TouchScene
   TouchDrill Drill;
 
   /// The balls of a tool that has one pose among all structures (SharedProxy); null for a tool with
-  /// a place at each. A drill's feed moves the tool without turning it.
-  const ToolSkeleton* SharedTool() const noexcept
-  {
-    return this->Drill.Link == nullptr ? this->Tool.Skeleton() : nullptr;
-  }
+  /// a place at each.
+  const ToolSkeleton* SharedTool() const noexcept { return this->Tool.Skeleton(); }
   /// Fails, naming the structure, if the scene cannot be rendered.
   Status Check() const;
   /// Contains all structures, which must have models; empty without any.

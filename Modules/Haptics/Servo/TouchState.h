@@ -28,6 +28,10 @@ struct TouchState
   /// differ for tools of several balls.
   std::array<double, 4> ProbeOrientation{0.0, 0.0, 0.0, 1.0};
   std::array<double, 4> ProxyOrientation{0.0, 0.0, 0.0, 1.0};
+  /// Of tools of several balls, the point of the surface that the displayed tool touches, mm; not
+  /// recorded.
+  bool HasFoot = false;
+  PlainVector3 FootWorld;
   bool WasTaken = false;       ///< the device accepted the force
   std::int32_t Structure = -1; ///< the one touched most deeply; -1 without contact
   double Depth = 0.0;          ///< mm, in that structure

@@ -42,10 +42,29 @@ Status TouchSession::Begin(TouchScene scene, const WorkspaceFrame& frame)
   return status;
 }
 
-Status TouchSession::Start(TouchScene scene, const WorkspaceFrame& frame)
+Status TouchSession::Start(TouchScene scene, const WorkspaceFrame& frame, bool staysOff)
 {
   Status status = this->Begin(std::move(scene), frame);
+  if (status.IsOk() && staysOff)
+  {
+    this->Loop().SwitchOff();
+  }
   return status.IsOk() ? this->Run() : status;
+}
+
+void TouchSession::SetClutchButton(int button)
+{
+  if (button == this->ClutchButton)
+  {
+    return;
+  }
+  this->ClutchButton = button;
+  this->Settings.ClutchButtons = button >= 0 ? 1U << button : 0U;
+  if (this->IsRunning())
+  {
+    this->Loop().SetClutchButtons(this->Settings.ClutchButtons);
+    this->HoldClutch(false, this->Loop().Latest());
+  }
 }
 
 // A servo numbers its orders and ticks from 0.

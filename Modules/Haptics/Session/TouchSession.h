@@ -48,8 +48,9 @@ public:
   /// Stops, forces first.
   ~TouchSession() { this->Stop(); }
 
-  /// The device's clutch button, from 0; -1 for none. For the next Open.
-  void SetClutchButton(int button) { this->ClutchButton = button; }
+  /// The device's clutch button, from 0; -1 for none. Takes effect in the next tick; a clutch that
+  /// is held is released.
+  void SetClutchButton(int button);
 
   /// Adopts an open device, for servos with these settings. Stops the current session.
   void Open(std::unique_ptr<HapticDevice> opened, const ServoSettings& settings);
@@ -60,7 +61,8 @@ public:
   /// Creates the servo for a scene, without a thread: the caller ticks Loop().
   Status Begin(TouchScene scene, const WorkspaceFrame& frame);
   /// Begin, and then a thread that ticks at the servo's rate.
-  Status Start(TouchScene scene, const WorkspaceFrame& frame);
+  /// `staysOff`: 0 N from the first tick on, until a person allows forces.
+  Status Start(TouchScene scene, const WorkspaceFrame& frame, bool staysOff = false);
   bool IsRunning() const { return this->Thread != nullptr; }
   /// Stops ticking with 0 N; the device stays open, and remaining ticks can still be polled.
   void Pause();

@@ -100,6 +100,46 @@ TEST(ServoDrill, RemovesTheSweptVolume)
   EXPECT_NEAR(block.Editor->RemovedVolumes()[0], wanted, 0.01 * wanted);
 }
 
+TEST(ServoDrill, BallOnAShaftSinksAsASphereDoes)
+{
+  DrilledBlock block;
+  TouchScene scene = block.Scene();
+  constexpr double R = DrilledBlock::Radius;
+  scene.Tool = ToolShape::Drill(R - DrilledBlock::Clearance, 0.8, 30.0, 200);
+  test::ServoRun run(scene);
+  EXPECT_NEAR(Press(run).norm(), DrilledBlock::Stiffness * Depth, Close);
+  DrillFor(3000, run, block);
+  run.Loop.RunDrill(false);
+  EXPECT_LT(run.TickAt(Pressed).norm(), Close);
+  block.Editor->Take();
+  constexpr double Deep = Depth + DrilledBlock::Clearance;
+  const double wanted = M_PI * R * R * (2.0 / 3.0 * R + (Deep - R));
+  // A foot on a field is within a twentieth of a voxel, by which the hole may be wider.
+  EXPECT_NEAR(block.Editor->RemovedVolumes()[0], wanted, 0.04 * wanted);
+}
+
+TEST(ServoDrill, ShaftTouchesButCutsNothing)
+{
+  DrilledBlock block;
+  TouchScene scene = block.Scene();
+  constexpr double Length = 30.0;
+  constexpr double Shaft = 0.8;
+  scene.Tool = ToolShape::Drill(DrilledBlock::Radius - DrilledBlock::Clearance, Shaft, Length, 200);
+  test::ServoRun run(scene);
+  run.Device.Next.Orientation = {1.0, 0.0, 0.0, 0.0}; // upside down
+  const Vector3 pressed(0.1, -0.2, DrilledBlock::Top + Length + Shaft - Depth);
+  const Vector3 force = run.MoveAndRest(pressed + 10.0 * Vector3::UnitZ(), pressed);
+  EXPECT_NEAR(force.norm(), DrilledBlock::Stiffness * Depth, Close);
+  run.Loop.RunDrill(true);
+  for (int n = 0; n < 500; ++n)
+  {
+    run.TickAt(pressed);
+    block.Editor->Take();
+  }
+  EXPECT_EQ(block.Editor->RemovedVolumes()[0], 0.0);
+  EXPECT_NEAR(run.TickAt(pressed).norm(), force.norm(), Close);
+}
+
 // Each pass slightly deeper, until nothing is left between the hand and its goal.
 TEST(ServoDrill, MovingToAndFroMillsAGroove)
 {

@@ -41,10 +41,10 @@ const RadialModel& Ball()
 class Feeling
 {
 public:
-  explicit Feeling(const TouchScene& scene)
+  explicit Feeling(const TouchScene& scene, double turnLength = 0.0)
   {
     const Status status =
-        ServoScene::Make(std::make_shared<const TouchScene>(scene), 0.003, this->Scene);
+        ServoScene::Make(std::make_shared<const TouchScene>(scene), 0.003, this->Scene, turnLength);
     EXPECT_TRUE(status.IsOk()) << status.Message();
   }
   ServoScene::Feeling At(const ToolPose& hand)
@@ -136,6 +136,45 @@ TEST(SharedTool, TorqueTurnsTheHandTowardsTheProxy)
   const ServoScene::Feeling small = magnified.RestAt(hand);
   EXPECT_LE((4.0 * small.Torque - felt.Torque).norm(), 1e-6 * felt.Torque.norm());
   EXPECT_LE((2.0 * small.Force - felt.Force).norm(), 1e-6 * felt.Force.norm());
+}
+
+TEST(SharedTool, TurnsAreNoStifferThanTheDeviceAllows)
+{
+  constexpr double TurnLength = 3.0; // mm; the tool's own is twice that, and less at the hand
+  TouchScene scene = SceneOf(Ball(), ToolShape::Capsule(ToolRadius, 20.0, 200));
+  for (const double scale : {1.0, 4.0})
+  {
+    scene.Frame = DeviceFrame(Matrix3::Identity(), scale, Vector3::Zero());
+    Feeling feeling(scene, TurnLength);
+    feeling.RestAt({{4.0, 0.0, BodyRadius + ToolRadius + 5.0}, Lying});
+    const ToolPose hand{{4.0, 0.0, BodyRadius + ToolRadius - 1.0}, Lying};
+    const ServoScene::Feeling felt = feeling.RestAt(hand);
+    const Eigen::AngleAxisd turn(felt.ProxyOrientation * hand.Orientation.conjugate());
+    const double most = std::min(TurnLength, scene.Tool.Skeleton()->Gyration() / scale);
+    EXPECT_GT(turn.angle(), 0.01);
+    EXPECT_NEAR(felt.Torque.norm(), Stiffness * most * most * turn.angle(),
+                1e-3 * felt.Torque.norm());
+  }
+}
+
+// On the body's surface, beside the capsule's middle, however long it is.
+TEST(SharedTool, TickSaysWhereTheToolTouches)
+{
+  constexpr double Length = 10.0; // mm
+  constexpr double Close = 1e-3;  // mm, of the relaxed proxy
+  test::ServoRun capsule(SceneOf(Ball(), ToolShape::Capsule(ToolRadius, Length, 26)));
+  const Vector3 pressed(BodyRadius + ToolRadius - 1.0, 0.0, 0.0);
+  capsule.RestAt(2.0 * pressed);
+  EXPECT_FALSE(capsule.Loop.Latest().HasFoot);
+  capsule.MoveAndRest(2.0 * pressed, pressed);
+  const TouchState& state = capsule.Loop.Latest();
+  ASSERT_EQ(state.Structure, 0);
+  ASSERT_TRUE(state.HasFoot);
+  EXPECT_LT((Vector3(state.FootWorld) - Vector3(BodyRadius, 0.0, 0.0)).norm(), Close);
+  test::ServoRun sphere(SceneOf(Ball(), ToolShape::Sphere(ToolRadius)));
+  sphere.MoveAndRest(2.0 * pressed, pressed);
+  EXPECT_EQ(sphere.Loop.Latest().Structure, 0);
+  EXPECT_FALSE(sphere.Loop.Latest().HasFoot);
 }
 
 TEST(SharedTool, NextSceneCarriesOn)

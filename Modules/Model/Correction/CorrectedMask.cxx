@@ -212,8 +212,11 @@ Status CorrectedMask::Paint(const CorrectionStep& step)
   const Stroke stroke{nullptr, before.StartIndex, before.Size};
   if (begins)
   {
-    auto copy = std::make_shared<VoxelMask>(before);
-    this->Stages.emplace_back().Start = std::move(copy);
+    // The result of pulls goes on as the start of the strokes, and back when they are undone.
+    Stage& last = this->Stages.back();
+    auto start =
+        last.Pulls.Pulls().empty() ? std::make_shared<VoxelMask>(before) : std::move(last.Result);
+    this->Stages.emplace_back().Start = std::move(start);
   }
   Stage& stage = this->Stages.back();
   Flip(flips, OwnWithRoom(flips, stage.Start));
@@ -229,7 +232,8 @@ void CorrectedMask::UndoStroke()
   Stage& stage = this->Stages.back();
   const Stroke stroke = stage.Strokes.back();
   stage.Strokes.pop_back();
-  if (stage.Strokes.empty())
+  Stage& former = this->Stages[this->Stages.size() - 2];
+  if (stage.Strokes.empty() && former.Pulls.Pulls().empty())
   {
     this->Stages.pop_back();
     return;
@@ -244,6 +248,11 @@ void CorrectedMask::UndoStroke()
       last[axis] = stroke.StartIndex[axis] + stroke.Size[axis] - 1;
     }
     stage.Start = std::make_shared<VoxelMask>(InBox(*stage.Start, stroke.StartIndex, last));
+  }
+  if (stage.Strokes.empty())
+  {
+    former.Result = std::move(stage.Start);
+    this->Stages.pop_back();
   }
 }
 
@@ -279,7 +288,7 @@ const VoxelMask& CorrectedMask::Mask()
   }
   if (!stage.Result)
   {
-    stage.Result = std::make_shared<const VoxelMask>(
+    stage.Result = std::make_shared<VoxelMask>(
         stage.Surface->Moved(stage.Pulls.Displacements(), this->Image.Closed));
   }
   return *stage.Result;

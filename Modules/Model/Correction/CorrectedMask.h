@@ -65,7 +65,7 @@ private:
     long long Voxels = 0;             ///< of a start with strokes
     std::shared_ptr<const MaskCorrection> Surface; ///< made for the first pull
     SurfaceCorrection Pulls;
-    std::shared_ptr<const VoxelMask> Result; ///< of the pulls
+    std::shared_ptr<VoxelMask> Result; ///< of the pulls; null: not made, or with later strokes
   };
 
   Status Edit(const CorrectionStep& step);

@@ -175,15 +175,18 @@ TEST_F(DrillTool, ClearToolIsSmallerByTheClearance)
   for (const TouchToolSettings& settings : this->Tools())
   {
     const ToolShape touch = MakeTool(settings);
-    const ToolShape clear = MakeClearTool(touch, 0.1);
+    const ToolShape clear = touch.Variant(static_cast<int>(touch.Points().size()), 0.1);
+    // Points of a tool that is given by lengths are spread anew, and an ellipsoid with shorter axes
+    // is not smaller by the same everywhere.
+    const double error = settings.Kind == Shape::Surface ? 1e-12 : 0.01;
     ASSERT_EQ(clear.Points().size(), touch.Points().size());
     for (std::size_t n = 0; n < touch.Points().size(); ++n)
     {
-      EXPECT_NEAR((clear.Points()[n] - touch.Points()[n]).dot(touch.Normals()[n]), 0.1, 1e-12);
+      EXPECT_NEAR((clear.Points()[n] - touch.Points()[n]).dot(touch.Normals()[n]), 0.1, error);
     }
   }
-  EXPECT_DOUBLE_EQ(MakeClearTool(ToolShape::Sphere(2.0), 0.1).Radius(), 1.9);
-  EXPECT_EQ(MakeClearTool(ToolShape::Sphere(0.05), 0.1).Radius(), 0.0);
+  EXPECT_DOUBLE_EQ(ToolShape::Sphere(2.0).Variant(0, 0.1).Radius(), 1.9);
+  EXPECT_EQ(ToolShape::Sphere(0.05).Variant(0, 0.1).Radius(), 0.0);
 }
 
 TEST_F(DrillTool, RejectsToolsWithoutVolume)

@@ -44,16 +44,43 @@ void Find(const DeviceRegistry& registry, Clock& clock, const DeviceRegistry::Ki
   for (const FoundDevice& one : found)
   {
     DeviceReport report = empty;
-    report.Name += ":" + one.Argument;
+    report.Name += one.Argument.empty() ? "" : ":" + one.Argument;
     report.Details = one.Details;
     std::unique_ptr<HapticDevice> device;
     report.IsThere = one.IsUsable && registry.Make(report.Name, clock, device).IsOk();
     if (report.IsThere)
     {
-      report.Capabilities = device->Capabilities();
+      report.Capabilities = one.Capabilities.value_or(device->Capabilities());
     }
     reports.push_back(std::move(report));
   }
+}
+
+DeviceReport Untold(const DeviceRegistry::Kind& kind)
+{
+  DeviceReport report;
+  report.Name = kind.Name;
+  report.Description = kind.Description;
+  report.IsUntried = kind.ProvedBy == DeviceRegistry::Proof::UntriedOnHardware;
+  return report;
+}
+
+void List(const DeviceRegistry& registry, Clock& clock, const DeviceRegistry::Kind& kind,
+          std::vector<DeviceReport>& reports)
+{
+  DeviceReport report = Untold(kind);
+  if (kind.FindDevices)
+  {
+    Find(registry, clock, kind, report, reports);
+    return;
+  }
+  Ask(registry, clock, report);
+  reports.push_back(std::move(report));
+}
+
+std::string KindOf(const std::string& device)
+{
+  return device.substr(0, device.find(':'));
 }
 
 DeviceRegistry Registry()
@@ -68,25 +95,60 @@ DeviceRegistry Registry()
 }
 } // namespace
 
-std::vector<DeviceReport> ListDevices()
+std::vector<DeviceReport> ListDevices(const std::string& inUse)
 {
   const DeviceRegistry registry = Registry();
   SteadyClock clock;
   std::vector<DeviceReport> reports;
   for (const DeviceRegistry::Kind& kind : registry.Kinds())
   {
-    DeviceReport report;
-    report.Name = kind.Name;
-    report.Description = kind.Description;
-    if (kind.FindDevices)
+    if (kind.Name != KindOf(inUse))
     {
-      Find(registry, clock, kind, report, reports);
+      List(registry, clock, kind, reports);
       continue;
     }
-    Ask(registry, clock, report);
+    DeviceReport report = Untold(kind);
+    report.IsThere = true;
+    report.Capabilities = UsualCapabilities(inUse);
+    report.Details = "in use";
     reports.push_back(std::move(report));
   }
   return reports;
+}
+
+std::vector<DeviceReport> ListDevicesOf(const std::string& kind)
+{
+  const DeviceRegistry registry = Registry();
+  SteadyClock clock;
+  std::vector<DeviceReport> reports;
+  if (const DeviceRegistry::Kind* const known = registry.Find(kind))
+  {
+    List(registry, clock, *known, reports);
+  }
+  return reports;
+}
+
+std::string StateLine(const DeviceReport& report)
+{
+  std::string line = report.Details;
+  if (report.IsThere)
+  {
+    line = report.Capabilities.Name + ", " + line;
+    line += report.IsUntried ? "; untried on hardware: test its safety stop first" : "";
+  }
+  else if (report.IsUntried)
+  {
+    line += " (Untried on hardware.)";
+  }
+  return line;
+}
+
+DeviceCapabilities UsualCapabilities(const std::string& device)
+{
+  SteadyClock clock;
+  std::unique_ptr<HapticDevice> made;
+  const bool isKnown = IsPluggedIn(device) && Registry().Make(device, clock, made).IsOk();
+  return isKnown ? made->Capabilities() : DeviceCapabilities();
 }
 
 std::string FirstDevicePluggedIn()
@@ -124,7 +186,7 @@ std::string FirstDevicePluggedIn()
 bool IsPluggedIn(const std::string& device)
 {
   const DeviceRegistry registry = Registry();
-  const DeviceRegistry::Kind* const kind = registry.Find(device.substr(0, device.find(':')));
+  const DeviceRegistry::Kind* const kind = registry.Find(KindOf(device));
   return kind != nullptr && kind->FindDevices;
 }
 } // namespace palpate

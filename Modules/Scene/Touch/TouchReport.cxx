@@ -152,6 +152,7 @@ nlohmann::ordered_json SummaryOf(const PreparedTouch& touch, const TouchResult& 
   summary["touching_percent"] = TouchingPercent(result);
   summary["beyond_linear_percent"] = PercentOf(result, result.BeyondLinearSeconds);
   summary["force_max_n"] = result.Trace.Whole().Force.Most;
+  summary["torque_max_n_mm"] = result.Trace.Whole().Torque.Most;
   summary["depth_max_mm"] = result.Trace.Whole().Depth.Most;
   summary["energy_least_n_mm"] = result.LeastEnergy;
   summary["tick"] = StatisticsAsJson(result.Durations);
@@ -250,6 +251,10 @@ ReportRows NumberRows(const PreparedTouch& touch, const TouchResult& result)
       {"ticks whose work was left to the next", std::to_string(result.BehindTicks)},
       {"skipped ticks", std::to_string(result.Periods.Misses())},
       {"forces", result.Fault == SafetyFault::None ? "on until the end" : FaultText(result)}};
+  if (result.Trace.Whole().Torque.Most > 0.0)
+  {
+    rows.emplace_back("largest torque", FixedText(result.Trace.Whole().Torque.Most, 1) + " N mm");
+  }
   if (result.BeyondLinearSeconds > 0.0)
   {
     rows.emplace_back("beyond linear elasticity",

@@ -10,6 +10,7 @@ namespace
 void Join(TouchStretch& stretch, const TouchStretch& next)
 {
   stretch.Force.Join(next.Force);
+  stretch.Torque.Join(next.Torque);
   stretch.Depth.Join(next.Depth);
   stretch.Period.Join(next.Period);
   stretch.Computation.Join(next.Computation);
@@ -26,6 +27,7 @@ TouchStretch StretchOf(const TouchState& state, std::int64_t start, std::int64_t
   TouchStretch tick;
   tick.Time = SecondsPerNanosecond * static_cast<double>(state.Tick.Started - start);
   tick.Force = Alone(Vector3(state.ForceDevice).norm());
+  tick.Torque = Alone(Vector3(state.TorqueDevice).norm());
   tick.Depth = Alone(state.Structure < 0 ? 0.0 : state.Depth);
   tick.Period = Alone(MicrosecondsPerNanosecond * static_cast<double>(state.Tick.Started - last));
   return tick;

@@ -28,6 +28,7 @@ struct TouchStretch
 {
   double Time = 0.0;        ///< s from the very first tick to the first of these
   LeastAndMost Force;       ///< N, applied
+  LeastAndMost Torque;      ///< N mm, applied
   LeastAndMost Depth;       ///< mm, of the deepest contact
   LeastAndMost Period;      ///< us, from the tick before
   LeastAndMost Computation; ///< us that ticks took, in virtual time; else 0

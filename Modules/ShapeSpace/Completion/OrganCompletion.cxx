@@ -1,7 +1,6 @@
 #include "OrganCompletion.h"
 
 #include "DeviationMap.h"
-#include "SurfaceCompletion.h"
 
 #include <utility>
 
@@ -11,84 +10,106 @@ namespace
 {
 constexpr int CandidateFrequency = 6; // 362 places
 
-template <typename Completion>
-bool DescribeJudged(const Completion& completion, OrganCompletion& made)
+Eigen::VectorXd DeviationsOf(const ShapeCompletion& completion, int frequency)
 {
-  made.Model = completion.Model();
-  made.Distance = completion.Distance();
-  made.LargestDistance = completion.LargestDistance();
-  made.PriorCases = completion.Prior()->Cases();
-  made.Judgement = completion.Judge();
-  return made.Judgement.IsOk();
+  return DeviationMap(completion.Prior(), frequency).Evaluate(completion);
 }
 
-Status CompleteBy(std::shared_ptr<const ShapePrior> prior, const CompletionRequest& request,
-                  OrganCompletion& made)
+Eigen::VectorXd DeviationsOf(const SurfaceCompletion& completion, int frequency)
+{
+  return completion.Deviations(frequency);
+}
+
+std::vector<Vector3> NextOf(const ShapeCompletion& completion, int count)
+{
+  return DeviationMap(completion.Prior(), CandidateFrequency).NextTouches(completion, count);
+}
+
+std::vector<Vector3> NextOf(const SurfaceCompletion& completion, int count)
+{
+  return completion.NextTouches(count);
+}
+
+Status StartBy(const std::shared_ptr<const ShapePrior>& prior, const CompletionRequest& request,
+               StartedCompletion& made)
 {
   if (request.Known)
   {
     return Status::Failure("the prior is of radial models, which relate to no other organ");
   }
-  std::unique_ptr<ShapeCompletion> completion;
-  Status status =
-      CompleteSurface(request.Touches, std::move(prior), request.ClickWorld, completion);
+  std::unique_ptr<ShapeCompletion> started;
+  Status status = CompleteSurface(request.Touches, prior, request.ClickWorld, started);
   if (status.IsOk())
   {
-    made = DescribeCompletion(*completion, request.Frequency, request.NextCount);
+    made = std::shared_ptr<ShapeCompletion>(std::move(started));
   }
   return status;
 }
 
 Status StartBy(const std::shared_ptr<const SurfacePrior>& prior, const CompletionRequest& request,
-               std::unique_ptr<SurfaceCompletion>& made)
+               StartedCompletion& made)
 {
-  if (request.Known)
-  {
-    return SurfaceCompletion::WithKnown(prior, *request.Known, made);
-  }
+  std::unique_ptr<SurfaceCompletion> started;
+  Status status = Status::Success();
   const std::optional<Vector3> click =
       request.ClickWorld ? request.ClickWorld : MiddleOf(request.Touches);
-  if (!click || !click->allFinite())
+  if (request.Known)
   {
-    return Status::Failure("there is no touched point and no centre");
+    status = SurfaceCompletion::WithKnown(prior, *request.Known, started);
   }
-  made = std::make_unique<SurfaceCompletion>(prior, *click);
-  return Status::Success();
-}
-
-Status CompleteBy(const std::shared_ptr<const SurfacePrior>& prior,
-                  const CompletionRequest& request, OrganCompletion& made)
-{
-  std::unique_ptr<SurfaceCompletion> completion;
-  Status status = StartBy(prior, request, completion);
+  else if (!click || !click->allFinite())
+  {
+    status = Status::Failure("there is no touched point and no centre");
+  }
+  else
+  {
+    started = std::make_unique<SurfaceCompletion>(prior, *click);
+  }
+  status = status.IsOk() ? started->Update(request.Touches) : status;
   if (status.IsOk())
   {
-    status = completion->Update(request.Touches);
-  }
-  if (status.IsOk() && DescribeJudged(*completion, made))
-  {
-    made.Deviations = completion->Deviations(request.Frequency);
-    made.Next = completion->NextTouches(request.NextCount);
+    made = std::shared_ptr<SurfaceCompletion>(std::move(started));
   }
   return status;
 }
 } // namespace
 
-OrganCompletion DescribeCompletion(const ShapeCompletion& completion, int frequency, int nextCount)
+Status StartCompletion(const CompletionRequest& request, StartedCompletion& made)
+{
+  return std::visit([&](const auto& prior) { return StartBy(prior, request, made); },
+                    request.Prior);
+}
+
+OrganCompletion DescribeCompletion(const StartedCompletion& completion, int frequency,
+                                   int nextCount)
 {
   OrganCompletion made;
-  if (DescribeJudged(completion, made))
-  {
-    made.Deviations = DeviationMap(completion.Prior(), frequency).Evaluate(completion);
-    made.Next =
-        DeviationMap(completion.Prior(), CandidateFrequency).NextTouches(completion, nextCount);
-  }
+  std::visit(
+      [&](const auto& one)
+      {
+        made.Model = one->Model();
+        made.Distance = one->Distance();
+        made.LargestDistance = one->LargestDistance();
+        made.PriorCases = one->Prior()->Cases();
+        made.Judgement = one->Judge();
+        if (made.Judgement.IsOk())
+        {
+          made.Deviations = DeviationsOf(*one, frequency);
+          made.Next = NextOf(*one, nextCount);
+        }
+      },
+      completion);
   return made;
 }
 
 Status CompleteOrgan(const CompletionRequest& request, OrganCompletion& made)
 {
-  return std::visit([&](const auto& prior) { return CompleteBy(prior, request, made); },
-                    request.Prior);
+  StartedCompletion completion;
+  Status status = StartCompletion(request, completion);
+  if (status.IsOk())
+  {
+    made = DescribeCompletion(completion, request.Frequency, request.NextCount);
+  }
+  return status;
 }
 } // namespace palpate

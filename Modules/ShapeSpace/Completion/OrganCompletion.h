@@ -2,7 +2,7 @@
 
 #include "ShapeCompletion.h"
 #include "ShapePrior.h"
-#include "SurfacePrior.h"
+#include "SurfaceCompletion.h"
 #include "SurfaceTouch.h"
 
 #include <Eigen/Core>
@@ -43,10 +43,17 @@ struct OrganCompletion
   std::vector<Vector3> Next;            ///< where to touch next, the first one first
 };
 
-/// What a completion of radial models found.
-OrganCompletion DescribeCompletion(const ShapeCompletion& completion, int frequency, int nextCount);
+/// A completion of either kind, which goes on by Update. Never null.
+using StartedCompletion =
+    std::variant<std::shared_ptr<ShapeCompletion>, std::shared_ptr<SurfaceCompletion>>;
 
-/// Completes by ShapeCompletion or SurfaceCompletion. Fails for touches and priors that they
-/// refuse; a surface that they find but do not believe is a Judgement.
+/// Starts ShapeCompletion or SurfaceCompletion, and completes by the touches so far. Fails, and
+/// leaves `made`, for touches and priors that they refuse.
+Status StartCompletion(const CompletionRequest& request, StartedCompletion& made);
+/// The judgement, and the rest unless the completion is refused.
+OrganCompletion DescribeCompletion(const StartedCompletion& completion, int frequency,
+                                   int nextCount);
+
+/// Both in one call. A surface that is found but not believed is a Judgement.
 Status CompleteOrgan(const CompletionRequest& request, OrganCompletion& made);
 } // namespace palpate

@@ -105,7 +105,7 @@ Status OrganRelation::Check(Eigen::Index asked) const
                     this->WallMean.size() == WallCount &&
                     this->WallCovariance.rows() == WallCount &&
                     this->WallCovariance.cols() == WallCount;
-  if (!fits)
+  if (!fits || this->Name.size() > LongestName)
   {
     return Status::Failure("relates to another organ by numbers of other sizes");
   }

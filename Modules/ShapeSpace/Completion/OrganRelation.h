@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 namespace palpate
@@ -21,6 +23,9 @@ struct OrganRelation
   static constexpr Eigen::Index WallCount = 92;
   static constexpr double Ridge = 0.1; ///< of the mean variance of each degree of the scores
 
+  static constexpr std::size_t LongestName = 100;
+
+  std::string Name; ///< of the known organ's structure, at most LongestName bytes; may be empty
   ///@{ Scores of the known organs: their mean and standard deviations.
   Eigen::VectorXd Mean;
   Eigen::VectorXd Deviations;
@@ -42,7 +47,8 @@ struct OrganRelation
   void TakeWalls(const Eigen::MatrixXd& distances);
   /// What is asked for, as `known` has it; Fails for an organ that is unlike the group's.
   Status Predict(const LogSurface& known, Eigen::VectorXd& expected) const;
-  /// Fails unless all numbers are finite and of these sizes, and the covariances positive definite.
+  /// Fails unless the name is short, all numbers are finite and of these sizes, and the covariances
+  /// positive definite.
   Status Check(Eigen::Index asked) const;
 };
 

@@ -11,8 +11,9 @@ namespace palpate
 {
 /// An organ's surface from a few touches and a prior: the most probable one (MAP), and how sure it
 /// is. Gauss-Newton steps in the space of the observations (iterated Kalman filter, Bell and
-/// Cathey, IEEE TAC 38, 1993), each halved until the posterior grows, from the last surface and,
-/// where touches stay off, from the prior's and from a sphere. Not thread-safe.
+/// Cathey, IEEE TAC 38, 1993), some with a former step's factor, each halved until the posterior
+/// grows, from the last surface and, where touches stay off, from the prior's and from a sphere.
+/// Not thread-safe.
 class ShapeCompletion
 {
 public:
@@ -66,7 +67,10 @@ private:
   void Descend(State& state);
   void Factorise();
   void FindTarget(const State& state);
+  void FindCloser(const State& state);
+  bool Approach(State& state);
   bool Step(State& state);
+  void Close(State& state);
   double CostOf(const State& state);
   double ChangeBetween(const State& one, const State& other) const;
 
@@ -79,7 +83,11 @@ private:
   Eigen::MatrixXd PriorBySlopes;
   Eigen::Matrix3Xd CenterBySlopes;
   Eigen::MatrixXd System; // of the rows; its lower triangle becomes the factor
+  // Of the rows when it was made:
+  Eigen::MatrixXd Slopes;
+  Eigen::Matrix3Xd CenterSlopes;
   Eigen::VectorXd Weights;
+  Eigen::VectorXd Gradient; // of the cost by the coefficients
   int StepCount = 0;
 };
 

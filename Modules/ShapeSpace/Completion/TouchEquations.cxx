@@ -48,6 +48,7 @@ void TouchEquations::SetTouches(const std::vector<SurfaceTouch>& touches)
   }
   this->Values.resize(rows);
   this->Variances.resize(rows);
+  this->Weighted.resize(rows);
   this->Slopes.resize(this->Harmonics.size(), rows);
   this->CenterSlopes.resize(3, rows);
   std::vector<int> numbers;
@@ -163,6 +164,7 @@ void TouchEquations::Evaluate(const LogSurface& surface) noexcept
       this->TangentRow(place, touch.Normal->normalized().cross(tangent), row++);
     }
   }
+  this->Weigh();
 }
 
 void TouchEquations::AddCovariance(Eigen::MatrixXd& matrix) const noexcept
@@ -181,24 +183,25 @@ void TouchEquations::AddCovariance(Eigen::MatrixXd& matrix) const noexcept
 }
 
 // The inverse of a diagonal plus an offset in common: Sherman and Morrison.
-double TouchEquations::Misfit() const noexcept
+void TouchEquations::Weigh() noexcept
 {
-  double sum = this->Values.cwiseAbs2().cwiseQuotient(this->Variances).sum();
+  this->Weighted = this->Values.cwiseQuotient(this->Variances);
   for (Eigen::Index stroke = 0; stroke < this->StrokeCount; ++stroke)
   {
-    double residual = 0.0;
+    double sum = 0.0;
     double weight = 1.0 / (StrokeDeviation * StrokeDeviation);
     for (Eigen::Index row = 0; row < this->Rows(); ++row)
     {
-      if (this->StrokeOf[static_cast<std::size_t>(row)] == stroke)
-      {
-        residual += this->Values[row] / this->Variances[row];
-        weight += 1.0 / this->Variances[row];
-      }
+      const bool isOfIt = this->StrokeOf[static_cast<std::size_t>(row)] == stroke;
+      sum += isOfIt ? this->Weighted[row] : 0.0;
+      weight += isOfIt ? 1.0 / this->Variances[row] : 0.0;
     }
-    sum -= residual * residual / weight;
+    for (Eigen::Index row = 0; row < this->Rows(); ++row)
+    {
+      const bool isOfIt = this->StrokeOf[static_cast<std::size_t>(row)] == stroke;
+      this->Weighted[row] -= isOfIt ? sum / (weight * this->Variances[row]) : 0.0;
+    }
   }
-  return sum;
 }
 
 double TouchEquations::Distance() const noexcept

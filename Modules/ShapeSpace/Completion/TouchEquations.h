@@ -49,8 +49,10 @@ public:
   const Eigen::Matrix3Xd& ByCenter() const noexcept { return this->CenterSlopes; }
   /// Adds the residuals' covariance.
   void AddCovariance(Eigen::MatrixXd& matrix) const noexcept;
+  /// The inverse of that covariance times the residuals.
+  const Eigen::VectorXd& Weights() const noexcept { return this->Weighted; }
   /// The residuals' square in units of their covariance.
-  double Misfit() const noexcept;
+  double Misfit() const noexcept { return this->Values.dot(this->Weighted); }
 
   /// RMS of the distances of the points on the surface, and what their noise makes likely; mm.
   double Distance() const noexcept;
@@ -61,6 +63,7 @@ private:
   Place PlaceOf(const SurfaceTouch& touch, const LogSurface& surface) noexcept;
   void PointRow(const Place& place, Eigen::Index row) noexcept;
   void TangentRow(const Place& place, const Vector3& tangent, Eigen::Index row) noexcept;
+  void Weigh() noexcept;
   void PrepareDerivatives(const LogSurface& surface) noexcept;
 
   SphericalHarmonicBasis Basis;
@@ -74,6 +77,7 @@ private:
   Eigen::VectorXd Turned;
   Eigen::VectorXd Values;
   Eigen::VectorXd Variances;
+  Eigen::VectorXd Weighted;
   Eigen::VectorXd StrokeSums; // a residual and a weight for each stroke
   Eigen::MatrixXd Slopes;
   Eigen::Matrix3Xd CenterSlopes;

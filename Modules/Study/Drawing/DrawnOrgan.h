@@ -1,6 +1,7 @@
 #pragma once
 
 #include "DeviationMap.h"
+#include "OrganCompletion.h"
 #include "PalpateStudyModule.h"
 #include "StudyDrawing.h"
 #include "vtkPolyData.h"
@@ -8,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,15 +24,25 @@ public:
   static constexpr std::size_t LeastTouches = 3;
   /// Until there are as many touches, the prior says where to touch next; then the eye leads.
   static constexpr std::size_t ListedTouches = 6;
-  static constexpr int Frequency = 8; ///< of the surface: 642 points, 0.1 mm of an organ
+  /// Of the surface: 642 points, 0.1 mm of an organ; 1,442 of a surface model, which may be thin.
+  static constexpr int Frequency = 8;
+  static constexpr int SurfaceFrequency = 12;
   static constexpr const char* DeviationArray = "StandardDeviation"; ///< of the surface, mm
 
-  /// Follows the drawing. No prior: smoothness alone, as CompleteSurface has it. A touch more takes
-  /// less than a millisecond for the completion, and some for the surface and the next places.
-  void Update(const StudyDrawing& drawing, std::shared_ptr<const ShapePrior> priorOrNull);
+  /// Follows the drawing, by a prior and perhaps the known organ that it relates to, as
+  /// StartCompletion. A touch more of radial models takes less than a millisecond for the
+  /// completion, and some for the surface and the next places; of surface models, a tenth of a
+  /// second for all of it.
+  void Update(const StudyDrawing& drawing, OrganPrior prior,
+              std::shared_ptr<const LogSurface> knownOrNull = nullptr);
 
   /// Null: there are too few touches.
-  const ShapeCompletion* Completion() const { return this->Completed.get(); }
+  const StartedCompletion* Completion() const
+  {
+    return this->Completed ? &*this->Completed : nullptr;
+  }
+  /// Of a completion.
+  OrganModel Model() const;
   std::size_t TouchCount() const { return this->Given.Touches.size(); }
   /// With DeviationArray; null without a completion. Another one after each change.
   vtkPolyData* Surface() const { return this->Drawn; }
@@ -45,14 +57,19 @@ public:
   std::uint64_t Revision() const { return this->Changes; }
 
 private:
-  bool IsContinued(const StudyDrawing& drawing, const ShapePrior* prior) const;
+  bool HasSurface(const StudyDrawing& drawing) const;
+  bool IsContinued(const StudyDrawing& drawing, const OrganPrior& prior,
+                   const LogSurface* known) const;
   Status Complete(const StudyDrawing& drawing);
+  Eigen::VectorXd Look(const ShapeCompletion& completion, int nextCount);
+  Eigen::VectorXd Look(const SurfaceCompletion& completion, int nextCount);
   void Draw();
 
   StudyDrawing Given;
-  std::shared_ptr<const ShapePrior> Prior; ///< as given
-  std::unique_ptr<ShapeCompletion> Completed;
-  std::shared_ptr<const ShapePrior> Mapped; ///< whose maps are kept
+  OrganPrior Prior; ///< as given
+  std::shared_ptr<const LogSurface> Known;
+  std::optional<StartedCompletion> Completed;
+  std::shared_ptr<const ShapePrior> Mapped; ///< whose maps are kept, as given
   std::unique_ptr<DeviationMap> Map;
   std::unique_ptr<DeviationMap> Design;
   vtkSmartPointer<vtkPolyData> Drawn;

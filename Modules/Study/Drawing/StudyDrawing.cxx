@@ -12,7 +12,8 @@ namespace
 {
 auto FieldsOf(const StudyDrawing& d)
 {
-  return std::tie(d.PriorFile, d.Sigma, d.CenterWorld, d.Touches, d.IsTouchable);
+  return std::tie(d.PriorFile, d.KnownId, d.Sigma, d.CenterWorld, d.Touches, d.IsTouchable,
+                  d.IsSoftened);
 }
 
 int LastStroke(const StudyDrawing& drawing)

@@ -20,11 +20,17 @@ constexpr double LargestTouchDeviation = 100.0;
 /// What a user knows of an organ that is drawn by touch; mm, patient LPS.
 struct StudyDrawing
 {
-  std::filesystem::path PriorFile;    ///< see ReadShapePrior; empty: smoothness alone
+  static constexpr int KnownByName = -1;
+
+  std::filesystem::path PriorFile; ///< see ReadOrganPrior; empty: smoothness alone
+  /// The structure that is known, if the prior relates to another organ: an id, 0 for none, or
+  /// KnownByName.
+  int KnownId = KnownByName;
   double Sigma = 1.0;                 ///< standard deviation of the next touches, mm
   std::optional<Vector3> CenterWorld; ///< near the organ's middle; none: that of the touches' box
   std::vector<SurfaceTouch> Touches;  ///< a stroke's are next to each other
   bool IsTouchable = true;            ///< whether the tool feels the organ
+  bool IsSoftened = true;             ///< softer where it is uncertain, see UncertainStiffness
 
   bool HasPlaces() const { return this->CenterWorld || !this->Touches.empty(); }
 };

@@ -1,10 +1,7 @@
-#include "DrawnOrgan.h"
 #include "InputError.h"
-#include "ManualClock.h"
 #include "ShapePriorFile.h"
-#include "Study.h"
+#include "StudyDrawnCase.h"
 #include "StudyJson.h"
-#include "StudyPhantoms.h"
 #include "StudyRecovery.h"
 
 #include "vtkDataArray.h"
@@ -19,22 +16,13 @@ namespace
 {
 const Vector3 Middle(5.0, -3.0, 2.0);
 
-// Directions spread over the sphere (Fibonacci lattice).
-Vector3 DirectionAt(int n, int count)
-{
-  const double z = 1.0 - (2.0 * n + 1.0) / count;
-  const double angle = 2.399963229728653 * n;
-  const double r = std::sqrt(1.0 - z * z);
-  return {r * std::cos(angle), r * std::sin(angle), z};
-}
-
 // Touches of an ellipsoid of 22, 18 and 15 mm.
 std::vector<SurfaceTouch> Ellipsoid(int count)
 {
   std::vector<SurfaceTouch> touches;
   for (int n = 0; n < count; ++n)
   {
-    const Vector3 u = DirectionAt(n, count);
+    const Vector3 u = test::DirectionAt(n, count);
     const double radius = 1.0 / Vector3(u.x() / 22.0, u.y() / 18.0, u.z() / 15.0).norm();
     touches.push_back({Middle + radius * u});
   }
@@ -59,7 +47,7 @@ ShapePrior SomePrior()
 
 const Eigen::VectorXd& ShapeOf(const DrawnOrgan& organ)
 {
-  return organ.Completion()->Surface().Coefficients;
+  return std::get<std::shared_ptr<ShapeCompletion>>(*organ.Completion())->Surface().Coefficients;
 }
 
 TEST(StudyDrawing, StrokesGetFreeNumbersAndNormalsALength)
@@ -120,14 +108,14 @@ TEST(StudyDrawing, NewSigmaReplacesTheFormerOneOnly)
 TEST(DrawnOrgan, IsThereFromTheThirdTouchOnWithoutAPrior)
 {
   DrawnOrgan organ;
-  organ.Update(DrawingOf(2), nullptr);
+  organ.Update(DrawingOf(2), {});
   EXPECT_EQ(organ.Surface(), nullptr);
   EXPECT_EQ(organ.Refusal(), "");
   StudyDrawing outside = DrawingOf(3);
   outside.Touches[0].IsOutside = true;
-  organ.Update(outside, nullptr);
+  organ.Update(outside, {});
   EXPECT_EQ(organ.Surface(), nullptr) << "two touches on the surface";
-  organ.Update(DrawingOf(3), nullptr);
+  organ.Update(DrawingOf(3), {});
   ASSERT_NE(organ.Surface(), nullptr);
   EXPECT_EQ(organ.Surface()->GetNumberOfPoints(), 642);
 }
@@ -151,7 +139,7 @@ TEST(DrawnOrgan, IsWhatTheKernelCompletes)
   DrawnOrgan organ;
   for (int count = 3; count <= 12; ++count)
   {
-    organ.Update(DrawingOf(count), nullptr);
+    organ.Update(DrawingOf(count), {});
     std::unique_ptr<ShapeCompletion> alone;
     ASSERT_TRUE(CompleteSurface(Ellipsoid(count), nullptr, std::nullopt, alone).IsOk());
     EXPECT_EQ(ShapeOf(organ), alone->Surface().Coefficients) << count;
@@ -194,7 +182,7 @@ TEST(DrawnOrgan, DeviationsAreThoseOfTheNewPrior)
   };
   const auto prior = std::make_shared<const ShapePrior>(SomePrior());
   DrawnOrgan changed;
-  changed.Update(DrawingOf(5), nullptr);
+  changed.Update(DrawingOf(5), {});
   const double smooth = deviation(changed);
   changed.Update(DrawingOf(5), prior);
   DrawnOrgan fresh;
@@ -227,7 +215,7 @@ TEST(DrawnOrgan, ListsPlacesUntilTheSixthTouch)
   DrawnOrgan organ;
   for (int count = 3; count <= 8; ++count)
   {
-    organ.Update(DrawingOf(count), nullptr);
+    organ.Update(DrawingOf(count), {});
     EXPECT_EQ(organ.Next().size(), static_cast<std::size_t>(std::max(0, 6 - count)));
   }
 }
@@ -239,48 +227,28 @@ TEST(DrawnOrgan, RefusesWhatIsNotStarShapedWhileItHolds)
   for (int n = 0; n < 40; ++n)
   {
     const double side = n % 2 == 0 ? -25.0 : 25.0;
-    drawing.Touches.push_back({Vector3(side, 0.0, 0.0) + 8.0 * DirectionAt(n, 40), 0.3});
+    drawing.Touches.push_back({Vector3(side, 0.0, 0.0) + 8.0 * test::DirectionAt(n, 40), 0.3});
   }
   DrawnOrgan organ;
-  organ.Update(drawing, nullptr);
+  organ.Update(drawing, {});
   EXPECT_NE(organ.Refusal().find("not star-shaped"), std::string::npos) << organ.Refusal();
-  organ.Update(DrawingOf(40), nullptr);
+  organ.Update(DrawingOf(40), {});
   EXPECT_EQ(organ.Refusal(), "");
   StudyDrawing far = DrawingOf(4);
   far.Touches.push_back({Vector3(5000.0, 0.0, 0.0)});
-  organ.Update(far, nullptr);
+  organ.Update(far, {});
   EXPECT_NE(organ.Refusal().find("1,000 mm"), std::string::npos) << organ.Refusal();
   EXPECT_EQ(organ.Surface(), nullptr);
 }
 
-// A study of a volume in which an organ is drawn.
-class StudyDrawnTest : public testing::Test
+class StudyDrawnTest : public test::StudyDrawnCase
 {
 protected:
-  void Draw(const StudyDrawing& drawing)
-  {
-    StudyState next = this->Open.State();
-    next.Drawing = drawing;
-    this->Open.Change("Draw", next);
-    this->Finish();
-  }
-  void Finish()
-  {
-    while (this->Open.Jobs().WaitForResult())
-    {
-      this->Open.Deliver();
-    }
-  }
-  const DrawnOrgan& Organ() const { return this->Open.Drawn().Organ(); }
   std::filesystem::path PriorFile() const
   {
     WriteShapePrior(SomePrior(), this->Phantom.Folder / "prior.json");
     return this->Phantom.Folder / "prior.json";
   }
-
-  test::StudyPhantom Phantom;
-  ManualClock Time;
-  Study Open{this->Time};
 };
 
 TEST_F(StudyDrawnTest, EachTouchIsUndoneAndRedone)
@@ -303,6 +271,7 @@ TEST_F(StudyDrawnTest, SessionKeepsDrawingAndPrior)
   drawing.Touches[3].IsOutside = true;
   drawing.Touches[2].Normal = Vector3(0.6, 0.0, -0.8);
   drawing.Touches[5].Stroke = drawing.Touches[6].Stroke = 3;
+  drawing.IsSoftened = false;
   this->Draw(drawing);
   this->Open.Save(this->Phantom.Folder / "case.palpate.json");
   Study again(this->Time);
@@ -313,8 +282,7 @@ TEST_F(StudyDrawnTest, SessionKeepsDrawingAndPrior)
     again.Deliver();
   }
   EXPECT_EQ(again.State().Drawing, drawing);
-  ASSERT_NE(again.Drawn().Prior(), nullptr);
-  EXPECT_EQ(again.Drawn().Prior()->Cases(), 7U);
+  EXPECT_EQ(again.Drawn().PriorCases(), std::optional<std::size_t>(7));
   EXPECT_EQ(ShapeOf(again.Drawn().Organ()), ShapeOf(this->Organ()));
 }
 
@@ -378,6 +346,42 @@ TEST_F(StudyDrawnTest, KeptOrganIsAStructureAndLeavesNoTouches)
   EXPECT_EQ(kept.Structures[0].Source(), SceneSource::Model);
   EXPECT_LT(kept.Structures[0].Id, StudyDrawn::StructureId);
   EXPECT_FALSE(kept.Drawing.HasPlaces());
+}
+
+// What the tool feels of the drawn organ is softer where it is less sure, never stiffer than
+// evenly.
+TEST_F(StudyDrawnTest, IsSofterWhereItIsUncertainUnlessTheDrawingSaysNo)
+{
+  StudyDrawing drawing = DrawingOf(12);
+  drawing.Touches.resize(6); // of the lower half
+  this->Draw(drawing);
+  const double own = SceneStructure().Stiffness;
+  const auto effects = [this] { return this->Open.Contacts().at(0).Effects; };
+  ASSERT_NE(effects(), nullptr);
+  const auto& stiffness = effects()->Made.at("stiffness image");
+  vtkDataArray* deviations =
+      this->Organ().Surface()->GetPointData()->GetArray(DrawnOrgan::DeviationArray);
+  double range[2];
+  deviations->GetRange(range);
+  ASSERT_GT(range[1], 2.0 * range[0]);
+  for (vtkIdType n = 0; n < deviations->GetNumberOfTuples(); ++n)
+  {
+    const Vector3 place(this->Organ().Surface()->GetPoint(n));
+    const double there = stiffness->StiffnessAt(own, place);
+    EXPECT_LT(there, own);
+    // A voxel has the mean of its points, of deviations that change by less than 0.3 mm in it.
+    EXPECT_NEAR(1.0 / there - 1.0 / own, deviations->GetTuple1(n), 0.4);
+  }
+  EXPECT_EQ(stiffness->LargestStiffness(own), own);
+  SceneSettings scene;
+  this->Open.Drawn().AddTo(scene);
+  const TouchScene felt = MakeTouchScene(scene, this->Open.Contacts(), {});
+  EXPECT_EQ(felt.Structures.at(0).Effects.at(0), stiffness);
+  drawing.IsSoftened = false;
+  this->Draw(drawing);
+  EXPECT_EQ(effects(), nullptr);
+  ASSERT_TRUE(this->Open.Undo());
+  EXPECT_NE(effects(), nullptr);
 }
 } // namespace
 } // namespace palpate::study_drawing_test

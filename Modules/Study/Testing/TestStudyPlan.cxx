@@ -217,7 +217,7 @@ TEST(StudyPlan, EveryInputOfAProductIsInItsKey)
        {"tool's shape", tool(&TouchToolSettings::Radius, 1.5), CostPlaces},
        {"tool's length", tool(&TouchToolSettings::Length, 1.5), CostPlaces},
        {"tool's axes", tool(&TouchToolSettings::SemiAxes, Vector3(1.0, 2.0, 3.0)), CostPlaces},
-       {"tool's points", tool(&TouchToolSettings::Points, 60), ToolPlaces},
+       {"tool's points", tool(&TouchToolSettings::Points, 600), ToolPlaces},
        {"tool's file", tool(&TouchToolSettings::File, std::filesystem::path("/b.stl")), ToolPlaces},
        {"tool's content", [](Inputs& i) { i.Stamps["/tool.stl"] = "u"; }, ToolPlaces}});
 }

@@ -303,7 +303,8 @@ TEST_F(StudyTouchTest, RejectsUnusableToolAndKeepsThePrevious)
   EXPECT_FALSE(this->Touch.Start(this->OpenDevice(this->Time), this->State, this->Contacts).IsOk());
   this->State.Tool.Radius = 0.0;
   this->Start();
-  this->State.Tool.Kind = TouchToolSettings::Shape::Ellipsoid; // harmonics require a sphere
+  this->State.Tool.Kind = TouchToolSettings::Shape::Ellipsoid;
+  this->State.Tool.SemiAxes.x() = -1.0;
   EXPECT_FALSE(this->Touch.Update(this->State, this->Contacts).IsOk());
   this->Press(4.0);
   EXPECT_EQ(this->AtRest().TouchedId, 7);

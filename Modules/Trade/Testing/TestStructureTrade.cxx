@@ -90,32 +90,6 @@ TEST(StructureTrade, ReferenceEqualsItself)
   EXPECT_NE(row.Truth.find("tricubic"), std::string::npos);
 }
 
-TEST(StructureTrade, FewerPointsOfAnEllipsoidAreLessAccurate)
-{
-  test::MaskTrade mask = test::SphereMask();
-  mask.Scene.Tool.Kind = TouchToolSettings::Shape::Ellipsoid; // 4, 2, 2 mm
-  const auto field =
-      mask.Trade().ContactFor(mask.SubVoxel(FieldInterpolation::TricubicBSpline, 26), GoOn);
-  const auto reference = FieldReference(*field, "the field", mask.Scene.Tool);
-  const TradePath path = MakeTradePath(*reference, mask.Scene.Tool, test::ShortPath().Path, GoOn);
-  const auto measure = [&](int points)
-  {
-    TradeTouch touch;
-    touch.Tool = mask.Scene.Tool;
-    touch.Tool.Points = points;
-    touch.Runs = 1;
-    TradeRow row;
-    MeasureTouch(*field->Model, touch, path, test::StillClock(), row, GoOn);
-    return row;
-  };
-  const TradeRow few = measure(26);
-  const TradeRow more = measure(200);
-  // Between points at an angle a, a sphere of radius r lies up to r (1 - cos(a / 2)) higher; a
-  // decreases with the square root of their number, so the error with the number: 7.7 times here.
-  EXPECT_GT(few.PositionMean, 3.0 * more.PositionMean);
-  EXPECT_LT(more.PositionMean, 0.1);
-}
-
 TEST(StructureTrade, EqualSeedsGiveEqualBits)
 {
   const test::MaskTrade mask = test::SphereMask();

@@ -32,7 +32,7 @@ constexpr int LooksAStep = 6;
 } // namespace
 
 StudyController::StudyController(Clock& clock, const RealtimeRequest& request)
-    : Time(clock), Open(clock, request)
+    : Time(clock), Priority(request), Open(clock, request)
 {
   connect(&this->Timer, &QTimer::timeout, this, &StudyController::Look);
   this->Timer.start(LookMilliseconds);
@@ -538,8 +538,7 @@ void StudyController::LookAtSteps()
 
 void StudyController::LookAtTouch()
 {
-  const bool isTouching = this->IsTouching();
-  if (isTouching)
+  if (this->IsTouching())
   {
     this->Felt = this->Open.Touch().Poll();
     if (this->Felt.Newest.IsDrilling && !this->Felt.Drill.Hold.empty())
@@ -548,9 +547,10 @@ void StudyController::LookAtTouch()
     }
     Q_EMIT Touched();
   }
-  if (isTouching != this->WasTouching)
+  this->Open.WatchDevice(this->Felt);
+  const std::pair<bool, bool> now(this->IsTouching(), this->Open.IsAwaitingDevice());
+  if (std::exchange(this->WasTouching, now) != now)
   {
-    this->WasTouching = isTouching;
     Q_EMIT TouchChanged();
   }
 }

@@ -34,6 +34,9 @@ public:
   explicit StudyController(Clock& clock, const RealtimeRequest& request = {});
 
   Study& Current() { return this->Open; }
+  /// Of servos.
+  Clock& ServoClock() { return this->Time; }
+  const RealtimeRequest& Request() const { return this->Priority; }
   /// Of the servo's clock, ns.
   std::int64_t Now() const { return this->Time.Now(); }
   /// What a new study begins with.
@@ -166,7 +169,7 @@ Q_SIGNALS:
   void FileOpened(const QString& file); ///< it could be read
   void Saved();                         ///< to Study::File
   void Leaving();                       ///< the study is about to be replaced
-  void TouchChanged();                  ///< began or ended
+  void TouchChanged();                  ///< began or ended, or waits for a lost device
   void Touched();                       ///< a new reading
   void DrilledChanged();                ///< what was drilled, while touch is off
   void ReplayChanged();                 ///< opened or closed, played or paused
@@ -196,6 +199,7 @@ private:
                      VolumeOpening open);
 
   Clock& Time;
+  RealtimeRequest Priority; ///< of servos
   Study Open;
   StudyOpening Opening{this->Open};
   StudyState First; ///< of a new study
@@ -212,7 +216,7 @@ private:
   std::uint64_t DrillRevision = 0;
   int LooksToSteps = 0;
   bool IsMaking = false;
-  bool WasTouching = false;
+  std::pair<bool, bool> WasTouching; ///< and whether a lost device was awaited
   bool WantsTouch = false;
   const StudyReplay* Replayed = nullptr; ///< at the last look
   bool IsClosed = false;

@@ -65,9 +65,11 @@ BrushLink::BrushLink(StudyController& study, ViewContents& contents, ViewGrid& v
           {
             this->HasRing = false;
             this->GiveUp();
+            this->FollowEdges();
           });
   connect(pulls.GripTool(), &QAction::triggered, this, &BrushLink::GripByHand);
   connect(&study, &StudyController::StateChanged, this, &BrushLink::ForgetDone);
+  connect(&study, &StudyController::StateChanged, this, &BrushLink::FollowEdges);
   connect(&study, &StudyController::Touched, this, &BrushLink::FollowHand);
   connect(&study, &StudyController::TouchChanged, this,
           [this]
@@ -76,6 +78,7 @@ BrushLink::BrushLink(StudyController& study, ViewContents& contents, ViewGrid& v
             {
               this->GiveUp();
             }
+            this->FollowEdges();
           });
 }
 
@@ -180,7 +183,25 @@ void BrushLink::SetTool(CorrectionTool tool)
   this->HasRing = false;
   this->Contents.ShowRing({}, {});
   this->Pulls.LetPull(tool == CorrectionTool::Pull);
+  this->FollowEdges();
   Q_EMIT Changed();
+}
+
+void BrushLink::SetKeepsToEdges(bool isOn)
+{
+  this->IsToEdges = isOn;
+  this->FollowEdges();
+}
+
+void BrushLink::FollowEdges()
+{
+  auto& open = this->Study.Current();
+  open.FeelEdges(this->IsOn() && this->IsToEdges && this->Study.IsTouching());
+  const std::string before = std::exchange(this->EdgeProblem, open.Edges().Problem());
+  if (!this->EdgeProblem.empty() && this->EdgeProblem != before)
+  {
+    this->Study.Report(this->EdgeProblem);
+  }
 }
 
 void BrushLink::SetRadius(double radius)

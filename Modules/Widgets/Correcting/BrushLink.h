@@ -8,6 +8,7 @@
 #include <QObject>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace palpate
@@ -41,7 +42,8 @@ public:
   double Radius() const { return this->Size; } ///< mm
   void SetRadius(double radius);
   bool KeepsToEdges() const { return this->IsToEdges; }
-  void SetKeepsToEdges(bool isOn) { this->IsToEdges = isOn; }
+  /// A hand then also feels the edges of the volume while it has a brush.
+  void SetKeepsToEdges(bool isOn);
 
   /// Paint and erase, and those of slices.
   QList<QAction*> Actions() const { return this->Brushes + this->OfSlices; }
@@ -58,6 +60,7 @@ private:
   void FollowSpace();
   void FollowHand();
   void GripByHand();
+  void FollowEdges();
   Vector3 PlaceOfTool() const;
   bool IsOn() const;
   bool IsInHand() const { return this->Brush.IsBegun() && this->Leading == nullptr; }
@@ -88,6 +91,7 @@ private:
   CorrectionTool Chosen = CorrectionTool::Pull;
   double Size = 5.0;
   bool IsToEdges = false;
+  std::string EdgeProblem; ///< that was reported last
   QList<QAction*> Brushes;
   QList<QAction*> OfSlices;
   StudyBrush Brush;

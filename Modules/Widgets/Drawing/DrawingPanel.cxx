@@ -1,6 +1,7 @@
 #include "DrawingPanel.h"
 
 #include "CompletionFiles.h"
+#include "KnownStructure.h"
 #include "PlainLabel.h"
 #include "Refusal.h"
 #include "SceneTool.h"
@@ -49,6 +50,15 @@ QString KindOf(const StudyDrawing& drawing, std::size_t first)
   return touch.IsOutside ? "Outside" : touch.Normal ? "Touch with its normal" : "Touch";
 }
 
+// For a job, while touches go on.
+StartedCompletion CopyOf(const StartedCompletion& completion)
+{
+  return std::visit(
+      [](const auto& one) -> StartedCompletion
+      { return std::make_shared<typename std::decay_t<decltype(one)>::element_type>(*one); },
+      completion);
+}
+
 // The image that was drawn on; null if there is none.
 vtkSmartPointer<vtkImageData> GridOf(const StudyPipeline& pipeline)
 {
@@ -66,7 +76,9 @@ DrawingPanel::DrawingPanel(StudyController& study, DrawingLink& link,
     : QWidget(parent), Study(study), Link(link), Questions(questions),
       Table(new QTableWidget(0, 4, this)), Next(new QComboBox(this)),
       Prior(this->MakeButton({}, "draw-choose-prior", &DrawingPanel::ChoosePrior)),
-      Sigma(new QDoubleSpinBox(this)), Touchable(new QCheckBox("Can be felt", this)),
+      Known(new QComboBox(this)), Sigma(new QDoubleSpinBox(this)),
+      Touchable(new QCheckBox("Can be felt", this)),
+      Softened(new QCheckBox("Soft if unsure", this)),
       Contacts(new QCheckBox("Each contact", this)), Keeping(new QPushButton("Keep...", this)),
       Line(new SentenceLabel("draw-line", LongestMessage, this)),
       KeptLine(MakePlainLabel("draw-kept", this)),
@@ -77,6 +89,8 @@ DrawingPanel::DrawingPanel(StudyController& study, DrawingLink& link,
   this->Table->verticalHeader()->hide();
   this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
   this->MakeChoices();
+  this->MakeKnown();
+  this->MakeSoftened();
   auto* row = new QHBoxLayout;
   row->addWidget(this->Table, 1);
   row->addWidget(this->MakeButtons());
@@ -99,6 +113,34 @@ DrawingPanel::DrawingPanel(StudyController& study, DrawingLink& link,
   this->Job->End({});
   connect(&study, &StudyController::StateChanged, this, &DrawingPanel::ShowState);
   this->ShowState();
+}
+
+void DrawingPanel::MakeSoftened()
+{
+  this->Softened->setObjectName("draw-softened");
+  this->Softened->setToolTip(
+      "Whether the drawn organ is felt softer where its surface is less sure: "
+      "a push of 1 N goes one standard deviation deeper");
+  connect(this->Softened, &QCheckBox::clicked, this,
+          [this](bool isOn)
+          {
+            StudyDrawing drawing = this->Study.State().Drawing;
+            drawing.IsSoftened = isOn;
+            this->Change(isOn ? "Feel the drawn organ softer where unsure"
+                              : "Feel the drawn organ evenly",
+                         drawing);
+          });
+}
+
+void DrawingPanel::MakeKnown()
+{
+  this->Known->setObjectName("draw-known");
+  this->Known->setAccessibleName("The known organ");
+  this->Known->setToolTip("The organ that this prior relates to, a label or a model: it says much "
+                          "of the other one, before any touch");
+  this->Known->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  this->Known->setMinimumContentsLength(16);
+  connect(this->Known, QOverload<int>::of(&QComboBox::activated), this, &DrawingPanel::SetKnown);
 }
 
 void DrawingPanel::MakeChoices()
@@ -179,6 +221,8 @@ QWidget* DrawingPanel::MakeButtons()
   grid->addWidget(this->MakeButton("Import...", "draw-import", &DrawingPanel::Import), 3, 0);
   grid->addWidget(this->MakeButton("Export...", "draw-export", &DrawingPanel::Export), 3, 1);
   grid->addWidget(this->Keeping, 3, 2);
+  grid->addWidget(this->Known, 4, 0, 1, 2);
+  grid->addWidget(this->Softened, 4, 2);
   grid->setRowStretch(grid->rowCount(), 1);
   return buttons;
 }
@@ -195,8 +239,11 @@ void DrawingPanel::ShowState()
   const QSignalBlocker quiet(this->Sigma);
   this->Sigma->setValue(drawing.Sigma);
   this->Touchable->setChecked(drawing.IsTouchable);
+  this->Softened->setChecked(drawing.IsSoftened);
+  this->Softened->setEnabled(drawing.IsTouchable);
   this->ShowTouches();
   this->ShowPrior();
+  this->ShowKnown();
   this->Line->Say(this->Sentence());
   const DrawnOrgan& organ = this->Study.Current().Drawn().Organ();
   this->Keeping->setEnabled(this->Job->IsRunning() ||
@@ -243,9 +290,9 @@ void DrawingPanel::ShowTouches()
 void DrawingPanel::ShowPrior()
 {
   const std::filesystem::path& file = this->Study.State().Drawing.PriorFile;
-  const ShapePrior* prior = this->Study.Current().Drawn().Prior();
+  const auto cases = this->Study.Current().Drawn().PriorCases();
   QString text = file.empty() ? "none, smooth" : ScreenString(file.filename().string());
-  text += prior != nullptr ? QString(", %1 cases").arg(prior->Cases()) : QString();
+  text += cases ? QString(", %1 cases").arg(*cases) : QString();
   const int width = 22 * this->fontMetrics().averageCharWidth();
   this->Prior->setText(
       MenuString("Prior: " + this->fontMetrics().elidedText(text, Qt::ElideMiddle, width)));
@@ -255,6 +302,29 @@ void DrawingPanel::ShowPrior()
                    : PlainToolTip(QString::fromStdString(file.string()) + "\nNone again"));
 }
 
+void DrawingPanel::ShowKnown()
+{
+  const StudyDrawn& drawn = this->Study.Current().Drawn();
+  const QSignalBlocker quiet(this->Known);
+  this->Known->setVisible(drawn.Relation() != nullptr);
+  this->Known->clear();
+  this->Known->addItem("No known organ", 0);
+  for (const SceneStructure& structure : this->Study.State().Structures)
+  {
+    if (CanBeKnown(structure))
+    {
+      this->Known->addItem("Known: " + ScreenString(TitleOf(structure)), structure.Id);
+    }
+  }
+  const bool hasKnown = drawn.Known() != nullptr;
+  this->Known->setCurrentIndex(hasKnown ? this->Known->findData(drawn.Known()->Id) : 0);
+  if (hasKnown && !this->HadKnown && this->Link.Chosen() == DrawingLink::Next::Center)
+  {
+    this->Link.Choose(DrawingLink::Next::Surface); // it says where the middle is
+  }
+  this->HadKnown = hasKnown;
+}
+
 QString DrawingPanel::Sentence() const
 {
   const StudyDrawn& drawn = this->Study.Current().Drawn();
@@ -262,11 +332,26 @@ QString DrawingPanel::Sentence() const
   {
     return "Reading the prior...";
   }
-  const QString problem =
-      drawn.PriorProblem().empty()
-          ? QString()
-          : ScreenString(drawn.PriorProblem()) + " Organs are taken as smooth instead. ";
-  return problem + this->SentenceOfOrgan();
+  if (drawn.IsReadingKnown())
+  {
+    return "Measuring the known organ...";
+  }
+  return this->SentenceOfProblems() + this->SentenceOfOrgan();
+}
+
+QString DrawingPanel::SentenceOfProblems() const
+{
+  const StudyDrawn& drawn = this->Study.Current().Drawn();
+  QString problems;
+  if (!drawn.PriorProblem().empty())
+  {
+    problems += ScreenString(drawn.PriorProblem()) + " Organs are taken as smooth instead. ";
+  }
+  if (!drawn.KnownProblem().empty())
+  {
+    problems += ScreenString(drawn.KnownProblem()) + ": it is left out. ";
+  }
+  return problems;
 }
 
 QString DrawingPanel::SentenceOfOrgan() const
@@ -280,7 +365,12 @@ QString DrawingPanel::SentenceOfOrgan() const
   if (organ.Completion() == nullptr)
   {
     const std::size_t count = SurfaceCount(this->Study.State().Drawing);
-    return drawn.Prior() != nullptr && count == 0
+    if (drawn.Relation() != nullptr && drawn.Known() == nullptr && count == 0)
+    {
+      return "Choose the known organ that this prior relates to, or click near the other one's "
+             "middle (choose The middle).";
+    }
+    return drawn.HasPrior() && count == 0
                ? QString("Click near the organ's middle (choose The middle): its most probable "
                          "surface is shown, and where to touch it first.")
                : QString("Touch the organ: click its edge in a slice or draw along it, or touch it "
@@ -323,11 +413,19 @@ void DrawingPanel::SetPrior(const std::filesystem::path& file)
 {
   StudyDrawing drawing = this->Study.State().Drawing;
   drawing.PriorFile = StudyPath(file);
-  this->Change(file.empty() ? "Take organs as smooth" : "Change the prior", drawing);
   if (!file.empty() && !drawing.HasPlaces())
   {
-    this->Link.Choose(DrawingLink::Next::Center);
+    this->Link.Choose(DrawingLink::Next::Center); // unless it turns out to know another organ
   }
+  this->Change(file.empty() ? "Take organs as smooth" : "Change the prior", drawing);
+}
+
+void DrawingPanel::SetKnown(int row)
+{
+  StudyDrawing drawing = this->Study.State().Drawing;
+  drawing.KnownId = this->Known->itemData(row).toInt();
+  this->Change(drawing.KnownId != 0 ? "Change the known organ" : "Draw without a known organ",
+               drawing);
 }
 
 void DrawingPanel::Remove()
@@ -385,7 +483,8 @@ void DrawingPanel::Export()
 
 void DrawingPanel::Keep()
 {
-  const ShapeCompletion* completion = this->Study.Current().Drawn().Organ().Completion();
+  const StudyDrawn& drawn = this->Study.Current().Drawn();
+  const StartedCompletion* completion = drawn.Organ().Completion();
   const QString chosen = completion != nullptr
                              ? this->Questions.Folder(this, "Folder for the organ, and its name")
                              : QString();
@@ -397,14 +496,15 @@ void DrawingPanel::Keep()
   const std::string name = folder.filename().string();
   CompletionInputs inputs;
   inputs.Prior = this->Study.State().Drawing.PriorFile;
+  inputs.Known = drawn.Known() != nullptr ? drawn.Known()->File : std::filesystem::path();
   inputs.Sigma = this->Study.State().Drawing.Sigma;
   inputs.Grid = GridOf(this->Study.Current().Pipeline());
   this->Job->Run(
-      [this, copy = std::make_shared<ShapeCompletion>(*completion), inputs, folder, name,
+      [this, copy = CopyOf(*completion), inputs, folder, name,
        drawing = this->Study.State().Drawing](const ProgressFunction&)
       {
         WriteCompletionFiles(
-            CompletedOrgan::Of(DescribeCompletion(*copy, CompletedOrgan::Frequency, 0),
+            CompletedOrgan::Of(DescribeCompletion(copy, CompletedOrgan::Frequency, 0),
                                drawing.Touches.size()),
             inputs, folder, "palpate-viewer " + SoftwareVersions().front().second);
         return [this, folder, name, drawing]

@@ -38,13 +38,18 @@ private:
   QWidget* MakeButtons();
   QPushButton* MakeButton(const QString& text, const char* name, void (DrawingPanel::*act)());
   void MakeChoices();
+  void MakeKnown();
+  void MakeSoftened();
   void ShowState();
   void ShowTouches();
   void ShowPrior();
+  void ShowKnown();
   QString Sentence() const;
+  QString SentenceOfProblems() const;
   QString SentenceOfOrgan() const;
   void ChoosePrior();
   void SetPrior(const std::filesystem::path& file);
+  void SetKnown(int row);
   void Change(const QString& message, const StudyDrawing& drawing, const QString& gesture = {});
   void Remove();
   void Clear();
@@ -60,8 +65,11 @@ private:
   std::vector<std::size_t> Rows; ///< the first touch of each
   QComboBox* Next;
   QPushButton* Prior;
+  QComboBox* Known;
+  bool HadKnown = false;
   QDoubleSpinBox* Sigma; ///< mm
   QCheckBox* Touchable;
+  QCheckBox* Softened;
   QCheckBox* Contacts;
   QPushButton* Keeping;
   SentenceLabel* Line;

@@ -100,14 +100,19 @@ protected:
         [&]
         {
           const SafetyFault fault = this->Study->Reading().Newest.Safety.Fault;
+          // A bus that was silent for too long loses the device, which comes back without force.
+          const bool isBack = !this->Study->Current().DeviceNotice().empty();
           if (fault == SafetyFault::StalledTick || fault == SafetyFault::StaleSample ||
-              fault == SafetyFault::UntakenForce || fault == SafetyFault::ImplausibleMotion)
+              fault == SafetyFault::UntakenForce || fault == SafetyFault::ImplausibleMotion ||
+              isBack)
           {
             this->Study->Current().Touch().SwitchForcesOn();
           }
           if (std::chrono::steady_clock::now() > end)
           {
-            throw std::runtime_error(std::string("Not felt in time: ") + Describe(fault));
+            throw std::runtime_error(
+                std::string("Not felt in time: ") + Describe(fault) + " " +
+                this->Window->findChild<QLabel*>("advice")->text().toStdString());
           }
           return isTrue();
         });

@@ -166,8 +166,17 @@ TEST_F(TouchLinkTest, CapsuleTipsWhereItTouchesAndIsDrawnSo)
       EXPECT_NEAR(drawn->GetElement(row, column), turned(row, column), 1e-9);
     }
   }
+  // The spot of the contact is on the ball, where a ball of the capsule's length is not.
+  constexpr double BallRadius = 9.0; // mm
+  constexpr double OfModel = 0.3;    // mm, of a coarse fit
+  const Vector3 spot = this->Window->Contents().Probe()->ContactWorld();
+  EXPECT_NEAR((spot - this->SphereCenter).norm(), BallRadius, OfModel);
+  this->Window->findChild<QDoubleSpinBox*>("tool-shaft")->setValue(0.5);
+  EXPECT_EQ(this->Study->State().Tool.Kind, TouchToolSettings::Shape::Drill);
   this->Window->findChild<QDoubleSpinBox*>("tool-length")->setValue(0.0);
   EXPECT_EQ(this->Study->State().Tool.Kind, TouchToolSettings::Shape::Sphere);
+  this->Window->findChild<QDoubleSpinBox*>("tool-shaft")->setValue(0.5);
+  EXPECT_EQ(this->Study->State().Tool.Kind, TouchToolSettings::Shape::Drill) << "of usual length";
 }
 
 TEST_F(TouchLinkTest, EscapeStopsForceUntilAllowedAgain)

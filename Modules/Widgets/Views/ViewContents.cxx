@@ -8,6 +8,7 @@
 #include "RadialModel.h"
 #include "SceneProtection.h"
 #include "SceneTool.h"
+#include "ShownTick.h"
 #include "SurfaceMaterial.h"
 #include "ToolSurface.h"
 
@@ -498,28 +499,10 @@ void ViewContents::ShowTouch(const StudyTouchReading& reading, bool isTouching)
   {
     return;
   }
-  const PlainVector3& probe = state.ProbeWorld;
   // The tool is in the dent of a structure that yields, not on its surface at rest.
   const bool isAtHand = this->IsHandOnly || this->Yielding.count(reading.TouchedId) > 0;
-  const PlainVector3& proxy = isAtHand ? state.ProbeWorld : state.ProxyWorld;
-  const bool isTold = !this->IsHandOnly && !this->IsForceHidden;
-  const PlainVector3 force = isTold ? state.ForceWorld : PlainVector3();
-  this->ProbeShown->SetProbePose(probe, state.ProbeOrientation);
-  this->ProbeShown->SetProxyPose(proxy, state.ProxyOrientation);
-  this->ProbeShown->SetForce(force.X, force.Y, force.Z);
-  this->ProbeShown->SetInContact(state.Structure >= 0 && isTold);
-  this->ProbeShown->SetDepth(state.Depth);
-  this->ShowDepth(proxy);
-  // Okabe and Ito's vermilion; yellow where the force is an estimate. Grey: no force.
-  constexpr std::array<double, 3> Known{{0.84, 0.37, 0.0}};
-  constexpr std::array<double, 3> Estimated{{0.94, 0.89, 0.26}};
-  constexpr std::array<double, 3> Free{{0.34, 0.71, 0.91}};
-  constexpr std::array<double, 3> None{{0.45, 0.45, 0.45}};
-  const bool hasForce = state.Safety.Fault == SafetyFault::None;
-  const auto& touching = !hasForce ? None : state.IsBeyondLinear ? Estimated : Known;
-  const auto& free = hasForce ? Free : None;
-  this->ProbeShown->SetContactColor(touching[0], touching[1], touching[2]);
-  this->ProbeShown->SetColor(free[0], free[1], free[2]);
+  ShowTick(state, {isAtHand, !this->IsHandOnly && !this->IsForceHidden}, *this->ProbeShown);
+  this->ShowDepth(isAtHand ? state.ProbeWorld : state.ProxyWorld);
 }
 
 // Distance of the tool from the displayed surfaces.

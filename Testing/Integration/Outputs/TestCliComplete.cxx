@@ -114,7 +114,8 @@ TEST_F(CliComplete, CohortsMakePriorsThatNameNoPatient)
 {
   const CommandRun made = this->MakePrior();
   ASSERT_EQ(made.Code, 0) << made.Errors;
-  EXPECT_EQ(ReadShapePrior(this->Folder / "prior.json").Cases(), 4U);
+  const OrganPrior prior = ReadOrganPrior(this->Folder / "prior.json");
+  EXPECT_EQ(std::get<std::shared_ptr<const ShapePrior>>(prior)->Cases(), 4U);
   EXPECT_EQ(ReadAll(this->Folder / "prior.json").find("patient-"), std::string::npos);
   // Where to touch first, without a touch.
   const CommandRun first =
@@ -155,6 +156,9 @@ TEST_F(CliComplete, SurfaceModelsAreCompletedGivenTheOtherOrgan)
       this->Run({"cohort", "surfaces", "--prior", "zone.json", "--known", "out"});
   ASSERT_EQ(made.Code, 0) << made.Errors;
   EXPECT_EQ(ReadAll(this->Folder / "zone.json").find("patient-"), std::string::npos);
+  const OrganPrior prior = ReadOrganPrior(this->Folder / "zone.json");
+  EXPECT_EQ(std::get<std::shared_ptr<const SurfacePrior>>(prior)->Relation->Name, "1")
+      << "the known organ's label, whose file has no names";
   this->WriteBall();
   const CommandRun run = this->Run({"complete", "ball.csv", "--prior", "zone.json", "--known",
                                     "masks/patient-1.nii.gz", "--grid", "masks/patient-1.nii.gz",

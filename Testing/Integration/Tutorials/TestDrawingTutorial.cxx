@@ -33,7 +33,7 @@ protected:
     this->Action("Draw by touch")->trigger();
     this->Opened = QStringList{QString::fromStdString(this->File("prior.json").string())};
     this->Button("draw-choose-prior")->click();
-    WaitUntil([this] { return this->Study->Current().Drawn().Prior() != nullptr; });
+    WaitUntil([this] { return this->Study->Current().Drawn().HasPrior(); });
     EXPECT_EQ(this->Messages(), "");
   }
   // In the axial slice through it.
@@ -49,8 +49,7 @@ protected:
   // Touches where the outline leaves the edge most, as an eye sees it.
   void TouchTheWorst()
   {
-    const ShapeCompletion* drawn = this->Study->Current().Drawn().Organ().Completion();
-    const RadialModel model = drawn->Model();
+    const auto model = std::get<RadialModel>(this->Study->Current().Drawn().Organ().Model());
     Vector3 worst = Vector3::Zero();
     double largest = 0.0;
     for (const Vector3& u : IcosahedronDirections(4).Directions())

@@ -213,7 +213,7 @@ TEST_F(ControllerTest, UnpluggedOneIsAnError)
   EXPECT_NE(this->Device->Problem().find("unplugged"), std::string::npos);
   this->Device->Close();
   const Status status = this->Device->Open();
-  EXPECT_EQ(status.Message(), "No game controller is plugged in.");
+  EXPECT_EQ(status.Message(), "No game controller is plugged in: plug one in, or pair it.");
 }
 
 TEST_F(ControllerTest, NumbersThatAreNoneAreRefused)

@@ -15,6 +15,7 @@ class ScriptedSource final : public SteeringSource
 public:
   explicit ScriptedSource(SteeringInput& input, bool& isThere) : Given(input), IsThere(isThere) {}
   std::string Name() const override { return "scripted stick"; }
+  int Buttons() const override { return 2; }
   std::string Problem() const override { return "gone"; }
   Status Open() override
   {

@@ -49,13 +49,26 @@ extern "C"
   {
     return static_cast<unsigned>(StandIn.Buttons.load());
   }
-  int dhdSetForceAndTorqueAndGripperForce(double x, double y, double z, double, double, double,
-                                          double, char)
+#ifndef STAND_IN_KNOWS_NO_WRIST
+  bool dhdHasActiveWrist(char id)
+  {
+    return id == 3 && StandIn.Turns;
+  }
+#endif
+  int dhdSetForceAndTorqueAndGripperForce(double x, double y, double z, double a, double b,
+                                          double c, double, char)
   {
     StandIn.Force[0] = x;
     StandIn.Force[1] = y;
     StandIn.Force[2] = z;
-    StandIn.LargestForce = std::fmax(StandIn.LargestForce, std::sqrt(x * x + y * y + z * z));
+    StandIn.Torque[0] = a;
+    StandIn.Torque[1] = b;
+    StandIn.Torque[2] = c;
+    const double force = std::sqrt(x * x + y * y + z * z);
+    const double torque = std::sqrt(a * a + b * b + c * c);
+    StandIn.LargestForce = std::fmax(StandIn.LargestForce, force);
+    StandIn.LargestTorque = std::fmax(StandIn.LargestTorque, torque);
+    StandIn.Pushes += force > 0.0 || torque > 0.0 ? 1 : 0;
     ++StandIn.Steps;
     return StandIn.Fails ? -1 : 0;
   }

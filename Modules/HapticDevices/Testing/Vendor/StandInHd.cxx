@@ -23,6 +23,20 @@ extern "C"
   static void* CallbackData = nullptr;
   static std::atomic<bool> InFrame{false};
   static std::atomic<bool> HasMisused{false};
+  // Of the frame: none, unless they are set in it.
+  static double Force[3];
+  static double Torque[3];
+
+  static double Display(const double* values, std::atomic<double>* shown)
+  {
+    double square = 0.0;
+    for (int part = 0; part < 3; ++part)
+    {
+      shown[part] = values[part];
+      square += values[part] * values[part];
+    }
+    return std::sqrt(square);
+  }
 
   unsigned hdInitDevice(const char*)
   {
@@ -45,11 +59,21 @@ extern "C"
   {
     HasMisused = HasMisused || InFrame;
     InFrame = true;
+    for (int part = 0; part < 3; ++part)
+    {
+      Force[part] = 0.0;
+      Torque[part] = 0.0;
+    }
   }
   void hdEndFrame(unsigned)
   {
     HasMisused = HasMisused || !InFrame;
     InFrame = false;
+    const double force = Display(Force, StandIn.Force);
+    const double torque = Display(Torque, StandIn.Torque);
+    StandIn.LargestForce = std::fmax(StandIn.LargestForce, force);
+    StandIn.LargestTorque = std::fmax(StandIn.LargestTorque, torque);
+    StandIn.Pushes += force > 0.0 || torque > 0.0 ? 1 : 0;
     ++StandIn.Steps;
   }
   void hdGetDoublev(unsigned what, double* values)
@@ -82,21 +106,24 @@ extern "C"
     {
       *values = 7.9;
     }
+    else if (what == 0x2622 && StandIn.Turns)
+    {
+      *values = 300.0;
+    }
   }
   void hdGetIntegerv(unsigned what, int* value)
   {
-    *value = what == 0x2000 ? StandIn.Buttons.load() : 0;
+    const int degrees = StandIn.Turns ? 6 : 3;
+    *value = what == 0x2000 ? StandIn.Buttons.load() : what == 0x2554 ? degrees : 0;
   }
   void hdSetDoublev(unsigned what, const double* values)
   {
-    HasMisused = HasMisused || what != 0x2700 || !InFrame;
-    double square = 0.0;
+    const bool isTorque = what == 0x2701 && StandIn.Turns;
+    HasMisused = HasMisused || !(what == 0x2700 || isTorque) || !InFrame;
     for (int part = 0; part < 3; ++part)
     {
-      StandIn.Force[part] = values[part];
-      square += values[part] * values[part];
+      (isTorque ? Torque : Force)[part] = values[part];
     }
-    StandIn.LargestForce = std::fmax(StandIn.LargestForce, std::sqrt(square));
   }
   ErrorInfo hdGetError()
   {

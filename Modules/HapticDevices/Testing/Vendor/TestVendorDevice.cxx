@@ -1,83 +1,16 @@
-#include "VendorDevice.h"
-
 #include "DeviceContract.h"
-#include "Servo.h"
-#include "StandIn.h"
-#include "SteadyClock.h"
-#include "TouchDoubles.h"
-
-#include <chrono>
-#include <cstdlib>
-#include <dlfcn.h>
-#include <thread>
+#include "StandInTest.h"
 
 namespace palpate::vendor_device_test
 {
 namespace
 {
-struct Maker
-{
-  const char* Kind;
-  const char* Variable;
-  const char* Library;
-  Vector3 Place; ///< of the library, which is 10, 20, 30 mm here
-  Vector3 Force; ///< of the library, for 1, 2, 0.5 N here
-  double Limit;  ///< N
-};
+using test::Maker;
 
-/// Each maker's library is replaced by a stand-in, which is opened as the real one would be.
-class VendorDeviceTest : public testing::TestWithParam<Maker>
+class VendorDeviceTest : public test::StandInTest, public testing::WithParamInterface<Maker>
 {
 protected:
-  void SetUp() override
-  {
-    setenv(this->GetParam().Variable, this->GetParam().Library, 1);
-    void* const library = dlopen(this->GetParam().Library, RTLD_NOW);
-    ASSERT_NE(library, nullptr) << dlerror();
-    this->Arm = static_cast<StandInArm*>(dlsym(library, "StandIn"));
-    ASSERT_NE(this->Arm, nullptr);
-    this->Arm->IsMissing = false;
-    this->Arm->Fails = false;
-    this->Arm->LargestForce = 0.0;
-    this->Arm->Buttons = 0;
-    ASSERT_TRUE(RegisterVendorDevices(this->Registry).IsOk());
-    ASSERT_TRUE(this->Registry.Make(this->GetParam().Kind, this->Time, this->Device).IsOk());
-  }
-  void TearDown() override
-  {
-    this->Device.reset();
-    unsetenv(this->GetParam().Variable);
-  }
-  template <typename Condition>
-  bool TickUntil(const Condition& isTrue, const Vector3& force = Vector3::Zero())
-  {
-    for (int n = 0; n < 3000; ++n)
-    {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      this->IsRead = this->Device->Read(this->Sample);
-      this->Device->Apply(force);
-      if (isTrue())
-      {
-        return true;
-      }
-    }
-    return false;
-  }
-  bool BecomesReady()
-  {
-    return this->TickUntil([this] { return this->Device->State() == DeviceState::Ready; });
-  }
-  Vector3 Displayed() const
-  {
-    return {this->Arm->Force[0], this->Arm->Force[1], this->Arm->Force[2]};
-  }
-
-  SteadyClock Time;
-  DeviceRegistry Registry;
-  std::unique_ptr<HapticDevice> Device;
-  StandInArm* Arm = nullptr;
-  DeviceSample Sample;
-  bool IsRead = false;
+  void SetUp() override { this->Use(this->GetParam()); }
 };
 
 TEST_P(VendorDeviceTest, KeepsTheContractOfDevices)
@@ -86,7 +19,7 @@ TEST_P(VendorDeviceTest, KeepsTheContractOfDevices)
   EXPECT_FALSE(this->Arm->IsOpen);
 }
 
-TEST_P(VendorDeviceTest, PlaceTurnAndForceAreInThisProgramsFrame)
+TEST_P(VendorDeviceTest, PlaceTurnForceAndTorqueAreInThisProgramsFrame)
 {
   for (int part = 0; part < 3; ++part)
   {
@@ -96,7 +29,8 @@ TEST_P(VendorDeviceTest, PlaceTurnAndForceAreInThisProgramsFrame)
   ASSERT_TRUE(this->Device->Open().IsOk());
   ASSERT_TRUE(this->BecomesReady());
   EXPECT_TRUE(this->TickUntil([this] { return this->Displayed() == this->GetParam().Force; },
-                              {1.0, 2.0, 0.5}));
+                              {1.0, 2.0, 0.5}, {20.0, 40.0, 10.0}));
+  EXPECT_LT((this->DisplayedTorque() - this->GetParam().Torque).norm(), 1e-12);
   EXPECT_LT((Vector3(this->Sample.Position) - Vector3(10.0, 20.0, 30.0)).norm(), 1e-9);
   EXPECT_EQ(this->Sample.Buttons, 2u);
   const double half = std::sqrt(0.5);
@@ -106,61 +40,51 @@ TEST_P(VendorDeviceTest, PlaceTurnAndForceAreInThisProgramsFrame)
   EXPECT_NEAR(this->Sample.Orientation[3], half, 1e-12);
 }
 
-TEST_P(VendorDeviceTest, ForceIsClampedLapsesAndEndsWithTheDevice)
+TEST_P(VendorDeviceTest, ForceAndTorqueAreClampedLapseAndEndWithTheDevice)
 {
   ASSERT_TRUE(this->Device->Open().IsOk());
   ASSERT_TRUE(this->BecomesReady());
-  EXPECT_TRUE(this->TickUntil([this] { return this->Displayed().norm() > 1.0; }, {0.0, 1e9, 0.0}));
+  EXPECT_TRUE(this->TickUntil([this] { return this->Displayed().norm() > 1.0; }, {0.0, 1e9, 0.0},
+                              {1e9, 0.0, 0.0}));
   EXPECT_LE(this->Arm->LargestForce, this->GetParam().Limit + 1e-9);
-  for (int n = 0; n < 2000 && !this->Displayed().isZero(0.0); ++n)
+  EXPECT_NEAR(this->Arm->LargestTorque, this->GetParam().TorqueLimit,
+              1e-9 * this->GetParam().TorqueLimit);
+  for (int n = 0; n < 2000 && this->IsDisplaying(); ++n)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1)); // without Apply
   }
-  EXPECT_EQ(this->Displayed(), Vector3::Zero());
-  EXPECT_TRUE(this->TickUntil([this] { return this->Displayed().norm() > 1.0; }, {0.0, 2.0, 0.0}));
+  EXPECT_FALSE(this->IsDisplaying());
+  EXPECT_TRUE(this->TickUntil([this] { return this->Displayed().norm() > 1.0; }, {0.0, 2.0, 0.0},
+                              {20.0, 0.0, 0.0}));
+  EXPECT_GT(this->DisplayedTorque().norm(), 0.0);
   this->Device->Close();
-  EXPECT_EQ(this->Displayed(), Vector3::Zero());
+  EXPECT_FALSE(this->IsDisplaying());
   EXPECT_FALSE(this->Arm->IsOpen);
 }
 
-TEST_P(VendorDeviceTest, FailureOfTheLibraryIsZeroForceInItsStepAndAnError)
+TEST_P(VendorDeviceTest, ArmWithoutMotorsForTurnsGetsNoTorque)
 {
+  this->Arm->Turns = false;
   ASSERT_TRUE(this->Device->Open().IsOk());
-  Servo servo(*this->Device, {});
-  ContactLaw law;
-  law.Stiffness = 0.5;
-  ASSERT_TRUE(servo.Publish(std::make_shared<TouchScene>(test::WallScene(200.0, law))).IsOk());
-  std::uint64_t ticks = 0;
-  const auto tick = [&]
+  EXPECT_EQ(this->Device->Capabilities().MaximumTorque, 0.0);
+  ASSERT_TRUE(this->BecomesReady());
+  EXPECT_TRUE(this->TickUntil([this] { return this->Displayed().norm() > 1.0; }, {0.0, 2.0, 0.0},
+                              {20.0, 0.0, 0.0}));
+  EXPECT_EQ(this->Arm->LargestTorque, 0.0);
+  EXPECT_EQ(this->Device->State(), DeviceState::Ready) << this->Device->Problem();
+}
+
+TEST_P(VendorDeviceTest, SearchTellsWhetherTheArmThatAnswersTurns)
+{
+  for (const bool turns : {true, false})
   {
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    TickInfo now;
-    now.Number = ++ticks;
-    now.Started = now.Scheduled = this->Time.Now();
-    now.BootTime = this->Time.BootTime();
-    servo.Tick(now);
-  };
-  for (int n = 0; n < 5000 && !(this->Displayed().norm() > 1.0); ++n)
-  {
-    tick();
-    if (servo.Latest().Safety.Fault != SafetyFault::None)
-    {
-      servo.Rearm(); // the machine was late
-    }
+    this->Arm->Turns = turns;
+    std::vector<FoundDevice> found;
+    ASSERT_TRUE(this->Registry.Find(this->GetParam().Kind)->FindDevices(this->Time, found).IsOk());
+    ASSERT_EQ(found.size(), 1u);
+    ASSERT_TRUE(found[0].Capabilities);
+    EXPECT_EQ(found[0].Capabilities->MaximumTorque > 0.0, turns);
   }
-  ASSERT_GT(this->Displayed().norm(), 1.0);
-  this->Arm->Fails = true;
-  for (int n = 0; n < 50; ++n)
-  {
-    tick();
-  }
-  EXPECT_EQ(servo.Latest().Safety.Fault, SafetyFault::DeviceFailed);
-  EXPECT_EQ(this->Device->State(), DeviceState::Error);
-  EXPECT_NE(this->Device->Problem().find("open it again"), std::string::npos);
-  EXPECT_EQ(this->Displayed(), Vector3::Zero());
-  const int steps = this->Arm->Steps;
-  std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  EXPECT_EQ(this->Arm->Steps, steps) << "no step after the failure";
 }
 
 TEST_P(VendorDeviceTest, WithoutADeviceOrALibraryItSaysWhatToDo)
@@ -172,12 +96,24 @@ TEST_P(VendorDeviceTest, WithoutADeviceOrALibraryItSaysWhatToDo)
   EXPECT_NE(this->Device->Open().Message().find("is not installed"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Each, VendorDeviceTest,
-    testing::Values(Maker{"openhaptics", "PALPATE_LIBHD", PALPATE_STAND_IN_HD,
-                          Vector3(10.0, 20.0, 30.0), Vector3(1.0, 2.0, 0.5), 7.9},
-                    Maker{"forcedimension", "PALPATE_LIBDHD", PALPATE_STAND_IN_DHD,
-                          Vector3(0.030, 0.010, 0.020), Vector3(0.5, 1.0, 2.0), 8.0}),
-    [](const auto& tested) { return std::string(tested.param.Kind); });
+INSTANTIATE_TEST_SUITE_P(Each, VendorDeviceTest, testing::ValuesIn(test::Makers),
+                         [](const auto& tested) { return std::string(tested.param.Kind); });
+
+class OldLibraryTest : public test::StandInTest
+{
+};
+
+TEST_F(OldLibraryTest, LibraryThatKnowsNoWristShowsNoTorque)
+{
+  Maker old = test::Makers[1];
+  old.Library = PALPATE_STAND_IN_OLD_DHD;
+  this->Use(old);
+  ASSERT_TRUE(this->Device->Open().IsOk());
+  EXPECT_EQ(this->Device->Capabilities().MaximumTorque, 0.0);
+  ASSERT_TRUE(this->BecomesReady());
+  EXPECT_TRUE(this->TickUntil([this] { return this->Displayed().norm() > 1.0; }, {0.0, 2.0, 0.0},
+                              {20.0, 0.0, 0.0}));
+  EXPECT_EQ(this->Arm->LargestTorque, 0.0);
+}
 } // namespace
 } // namespace palpate::vendor_device_test

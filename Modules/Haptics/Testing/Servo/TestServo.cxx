@@ -278,6 +278,20 @@ TEST(Servo, ClutchButtonEndsContactsAndFieldsWithoutOtherThreads)
   EXPECT_EQ(run.RestAt(hand), Vector3::Zero());
 }
 
+TEST(Servo, AnotherClutchButtonTakesOverInTheNextTick)
+{
+  test::ServoRun run = PulledRun();
+  const Vector3 hand(0.0, 0.0, 1.0);
+  run.RestAt(hand);
+  run.Loop.SetClutchButtons(2 * ClutchButton);
+  run.Device.Next.Buttons = ClutchButton;
+  EXPECT_EQ(run.RestAt(hand), Vector3(3.0, 0.0, 0.0));
+  run.Device.Next.Buttons = 2 * ClutchButton;
+  run.TickAt(hand); // by the slew limit
+  EXPECT_EQ(run.TickAt(hand), Vector3::Zero());
+  EXPECT_TRUE(run.Loop.Latest().IsClutched);
+}
+
 TEST(Servo, ClutchEndsOnceItsButtonIsUpAndItWasReleased)
 {
   test::ServoRun run = PulledRun();
@@ -519,7 +533,7 @@ TEST(Servo, RejectedSceneKeepsThePreviousOne)
   TouchScene shell = WallScene(0.0, {1.0, 0.0});
   shell.Tool = ToolShape::Ellipsoid({1.0, 1.0, 2.0}, 50);
   EXPECT_EQ(run.Loop.Publish(std::make_shared<TouchScene>(shell)).Message(),
-            "The structure wall cannot be touched: A wall supports spheres only.");
+            "The structure wall cannot be touched: it is touched by spheres and points only.");
   EXPECT_FALSE(run.Loop.Publish(nullptr).IsOk());
   EXPECT_NEAR(run.RestAt({0.0, 0.0, -1.0})[2], 1.0, 1e-12);
   EXPECT_EQ(run.Loop.Latest().Scene, 1u);

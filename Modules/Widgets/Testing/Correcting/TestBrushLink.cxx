@@ -111,6 +111,33 @@ TEST_F(BrushLinkTest, StrokeInASlicePaintsAtOnceAtUsualSizes)
   }
 }
 
+TEST_F(BrushLinkTest, HandWithABrushToEdgesFeelsThemUntilItPulls)
+{
+  this->OpenBrush();
+  const auto areFelt = [this]
+  {
+    const auto all = this->Study->Current().Contacts();
+    return all.front().Effects != nullptr &&
+           all.front().Effects->Made.count("guiding gradient") > 0;
+  };
+  auto* edges = this->Window->findChild<QCheckBox*>("correct-edges");
+  const auto click = [edges]
+  { QTest::mouseClick(edges, Qt::LeftButton, Qt::NoModifier, QPoint(8, edges->height() / 2)); };
+  click();
+  ASSERT_TRUE(edges->isChecked());
+  EXPECT_FALSE(areFelt()) << "nobody touches";
+  this->BeginTouch();
+  WaitUntil(areFelt);
+  this->TouchTheTop();
+  EXPECT_EQ(this->Study->Reading().Newest.Safety.Fault, SafetyFault::None);
+  QTest::keyClick(this->Axial()->Canvas(), Qt::Key_B);
+  EXPECT_FALSE(areFelt()) << "a pull keeps to no edges";
+  QTest::keyClick(this->Axial()->Canvas(), Qt::Key_B);
+  WaitUntil(areFelt);
+  click();
+  EXPECT_FALSE(areFelt());
+}
+
 TEST_F(BrushLinkTest, ControlErasesAndEachStrokeIsUndone)
 {
   this->OpenBrush();

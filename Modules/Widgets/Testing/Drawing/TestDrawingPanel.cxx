@@ -1,7 +1,11 @@
 #include "DrawingPanel.h"
+#include "ModelFile.h"
 #include "SegmentationFile.h"
+#include "ShapePriorFile.h"
+#include "WholeFile.h"
 #include "WindowLook.h"
 #include "WindowTest.h"
+#include "ZonePrior.h"
 
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
@@ -104,6 +108,16 @@ protected:
     return largest;
   }
   bool IsShown() const { return this->Window->Contents().Drawing().Display()->GetVisibility(); }
+  // A prior of bodies behind a known ball, which is called as label 1.
+  void ChooseZonePrior()
+  {
+    const std::filesystem::path file = this->Phantom.Folder / "zone.json";
+    WriteShapePrior(test::ZonePrior("1"), file);
+    this->Opened = QStringList{QString::fromStdString(file.string())};
+    QTest::mouseClick(this->Button("draw-choose-prior"), Qt::LeftButton);
+    WaitUntil([this] { return this->Organ().Surface() != nullptr; });
+    DrawAll(*this->Window->Views());
+  }
   // Written where PALPATE_PICTURES says, for people to look at.
   void Show(const QString& name)
   {
@@ -391,7 +405,7 @@ TEST_F(DrawingPanelTest, NothingIsClippedInLightAndDark)
       auto* panel = this->Window->findChild<DrawingPanel*>();
       for (auto* control : panel->findChildren<QWidget*>(QRegularExpression("^draw-")))
       {
-        const QSize least = control->minimumSizeHint();
+        const QSize least = control->isVisible() ? control->minimumSizeHint() : QSize();
         EXPECT_GE(control->width(), least.width()) << control->objectName().toStdString();
         EXPECT_GE(control->height(), least.height()) << control->objectName().toStdString();
       }
@@ -402,6 +416,100 @@ TEST_F(DrawingPanelTest, NothingIsClippedInLightAndDark)
     }
   }
   ChooseLook(WindowLook::System);
+}
+
+TEST_F(DrawingPanelTest, KnownOrganIsProposedAndTheOtherDrawnAtUsualSizes)
+{
+  for (const QSize& size : Sizes)
+  {
+    this->Open(size);
+    auto* known = this->Window->findChild<QComboBox*>("draw-known");
+    EXPECT_FALSE(known->isVisible());
+    this->ChooseZonePrior();
+    EXPECT_TRUE(this->IsShown()) << "before any touch";
+    EXPECT_EQ(known->currentData().toInt(), 1) << known->currentText().toStdString();
+    const QSize least = known->minimumSizeHint();
+    EXPECT_TRUE(known->isVisible());
+    EXPECT_GE(known->width(), least.width());
+    EXPECT_GE(known->height(), least.height());
+    EXPECT_EQ(this->Window->size(), size);
+    EXPECT_TRUE(this->Line().contains("mark 1")) << this->Line().toStdString();
+    // The next clicks are touches, since the known organ says where the middle is.
+    const Vector3 behind = this->Center + Vector3(0.0, 5.0, 0.0);
+    this->GoTo(behind);
+    for (int n = 0; n < 6; ++n)
+    {
+      this->ClickAt(SliceOrientation::Axial,
+                    behind + 5.0 * Vector3(std::cos(1.05 * n), std::sin(1.05 * n), 0.0));
+    }
+    EXPECT_EQ(this->Drawn().Touches.size(), 6U);
+    EXPECT_TRUE(this->Organ().Next().empty());
+    EXPECT_FALSE(this->Line().startsWith("Refused")) << this->Line().toStdString();
+    this->Show(QString("draw-zone-%1").arg(size.width()));
+    this->Study->New();
+    QTest::keyClick(this->Window.get(), Qt::Key_Escape);
+  }
+}
+
+TEST_F(DrawingPanelTest, KnownOrganIsAChoiceThatIsUndone)
+{
+  this->Open();
+  this->ChooseZonePrior();
+  auto* known = this->Window->findChild<QComboBox*>("draw-known");
+  known->setFocus();
+  QTest::keyClick(known, Qt::Key_Home);
+  EXPECT_EQ(this->Drawn().KnownId, 0);
+  EXPECT_FALSE(this->IsShown()) << "there is no touch and no middle";
+  EXPECT_TRUE(this->Line().contains("Choose the known organ")) << this->Line().toStdString();
+  QTest::keyClick(this->Window.get(), Qt::Key_Z, Qt::ControlModifier);
+  WaitUntil([this] { return this->Organ().Surface() != nullptr; });
+  EXPECT_TRUE(this->IsShown());
+  EXPECT_EQ(known->currentData().toInt(), 1);
+}
+
+TEST_F(DrawingPanelTest, KeptZoneIsASurfaceModelThatNamesWhatWasKnown)
+{
+  this->Open();
+  this->ChooseZonePrior();
+  this->ExpectSameStudyAfterReopening();
+  this->Chosen = QString::fromStdString((this->Phantom.Folder / "kept" / "zone").string());
+  const std::size_t before = this->Study->State().Structures.size();
+  WaitUntil([this] { return this->Button("draw-keep")->isEnabled(); });
+  QTest::mouseClick(this->Button("draw-keep"), Qt::LeftButton);
+  WaitUntil([&] { return this->Study->State().Structures.size() > before; });
+  const std::filesystem::path folder = this->Study->State().Structures.back().File.parent_path();
+  EXPECT_TRUE(std::holds_alternative<SurfaceModel>(ReadModel(folder / "model.json").Surface));
+  const std::string said = ReadWholeFile(folder / "completion.json", 1U << 20U);
+  EXPECT_NE(said.find("mask.nii.gz"), std::string::npos) << said;
+  EXPECT_NE(said.find("\"prior_cases\":24"), std::string::npos) << said;
+}
+
+TEST_F(DrawingPanelTest, DrawnOrganIsFeltSofterWhereUnsureUnlessSwitchedOff)
+{
+  this->Open();
+  this->DrawSphere();
+  const auto isSoftened = [this]
+  {
+    for (const SceneContact& contact : this->Study->Current().Contacts())
+    {
+      if (contact.Id == StudyDrawn::StructureId)
+      {
+        return contact.Effects != nullptr;
+      }
+    }
+    throw std::runtime_error("it is not felt");
+  };
+  auto* softened = this->Window->findChild<QCheckBox*>("draw-softened");
+  EXPECT_TRUE(softened->isChecked());
+  EXPECT_TRUE(isSoftened());
+  QTest::mouseClick(softened, Qt::LeftButton);
+  EXPECT_FALSE(softened->isChecked());
+  EXPECT_FALSE(isSoftened());
+  QTest::keyClick(this->Window.get(), Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(softened->isChecked());
+  EXPECT_TRUE(isSoftened());
+  QTest::mouseClick(this->Window->findChild<QCheckBox*>("draw-touchable"), Qt::LeftButton);
+  EXPECT_FALSE(softened->isEnabled()) << "what is not felt is not soft";
 }
 } // namespace
 } // namespace palpate::drawing_panel_test

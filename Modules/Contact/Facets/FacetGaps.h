@@ -1,6 +1,7 @@
 #pragma once
 
 #include "FacetTree.h"
+#include "ProvenBall.h"
 #include "ToolGaps.h"
 #include "ToolSkeleton.h"
 
@@ -13,7 +14,8 @@ namespace palpate
 {
 /// Gaps to a triangle mesh, from outside: the nearest point of the mesh to each ball's centre. The
 /// planes of points that were the nearest shortly before are kept, so that a ball in a groove is
-/// held by both of its sides.
+/// held by both of its sides; and between small steps the planes stand for the mesh. A cluster of
+/// balls is asked as one while nothing is near it.
 class FacetGaps final : public ToolGaps
 {
 public:
@@ -36,12 +38,21 @@ private:
     ToolSkeleton::Ball Ball;
     std::array<Wall, MostWalls> Walls;
     std::size_t WallCount = 0;
+    ProvenBall Seen; // from the last look
+  };
+  struct Group
+  {
+    ToolSkeleton::Cluster Cluster;
+    ProvenBall Seen;
   };
 
-  double LookAround(Part& part, const Vector3& centerWorld) const noexcept;
+  static bool HasMoved(const Part& part, const Vector3& centerWorld) noexcept;
+  double DistanceOf(Group& group, const Vector3& centerWorld) const noexcept;
+  void LookAround(Part& part, const Vector3& centerWorld) const noexcept;
+  double GatherOf(std::size_t number, const ToolPose& pose, PoseConstraints& limits) noexcept;
 
   std::shared_ptr<const FacetTree> Tree;
-  SurfaceFriction Friction;
   std::vector<Part> Parts;
+  std::vector<Group> Groups;
 };
 } // namespace palpate
