@@ -23,6 +23,11 @@ public:
 
   double Gather(const ToolPose& pose, PoseConstraints& limits) noexcept override;
   bool IsFreeAt(const ToolPose& pose) noexcept override;
+  std::size_t Bytes() const noexcept override
+  {
+    return sizeof(*this) + this->Points.size() * (sizeof(Point) + sizeof(Vector3) + 1) +
+           this->Candidates.size() * sizeof(Candidate);
+  }
   bool CanBeDrilled() const noexcept override { return true; }
   void UseSolid(const FieldSolid& solid) noexcept override
   {

@@ -31,6 +31,10 @@ public:
   void BeginTick() noexcept override;
   double Gather(const ToolPose& pose, PoseConstraints& limits) noexcept override;
   bool IsFreeAt(const ToolPose& pose) noexcept override;
+  std::size_t Bytes() const noexcept override
+  {
+    return sizeof(*this) + this->Parts.size() * sizeof(Part) + this->Groups.size() * sizeof(Group);
+  }
 
 private:
   using ClosestPoint = typename Surface::ClosestPoint;

@@ -12,6 +12,16 @@ std::size_t SharedProxy::Add(std::unique_ptr<ToolGaps> gaps)
   return this->Members.size() - 1;
 }
 
+std::size_t SharedProxy::Bytes() const noexcept
+{
+  std::size_t bytes = sizeof(*this) + this->Members.size() * sizeof(Member);
+  for (const Member& member : this->Members)
+  {
+    bytes += member.Gaps->Bytes();
+  }
+  return bytes;
+}
+
 void SharedProxy::Begin(const ToolPose& pose, const std::uint32_t* near, std::size_t count) noexcept
 {
   this->Proxy.Begin(pose);

@@ -24,6 +24,8 @@ public:
   /// `gyration` (mm): how much a turn counts as a shift.
   SharedProxy(const ToolSkeleton& tool, double gyration) : Proxy(tool, gyration) {}
 
+  /// Without the structures.
+  std::size_t Bytes() const noexcept;
   /// Adds a structure; returns its number, which counts from 0.
   std::size_t Add(std::unique_ptr<ToolGaps> gaps);
 

@@ -29,6 +29,8 @@ public:
   /// Whether no part of the tool at `pose` is inside by more than Slack.
   virtual bool IsFreeAt(const ToolPose& pose) noexcept = 0;
   static constexpr double Slack = 0.1; ///< mm, by which a proxy may be too deep
+  /// Without the structure.
+  virtual std::size_t Bytes() const noexcept = 0;
   /// As ContactTracker.
   virtual bool CanBeDrilled() const noexcept { return false; }
   virtual void UseSolid(const FieldSolid&) noexcept {}
@@ -48,7 +50,6 @@ protected:
       : Tool(std::move(tool)), Friction(friction)
   {
   }
-  const ToolSkeleton& Skeleton() const noexcept { return this->Tool; }
   /// Adds a wall near a ball, if it is RigidProxy::InTheWay.
   void AddWall(const ToolPose& pose, const ToolSkeleton::Ball& ball, std::size_t ballNumber,
                const Wall& wall, PoseConstraints& limits) const noexcept;

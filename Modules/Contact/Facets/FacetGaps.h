@@ -24,6 +24,10 @@ public:
 
   double Gather(const ToolPose& pose, PoseConstraints& limits) noexcept override;
   bool IsFreeAt(const ToolPose& pose) noexcept override;
+  std::size_t Bytes() const noexcept override
+  {
+    return sizeof(*this) + this->Parts.size() * sizeof(Part) + this->Groups.size() * sizeof(Group);
+  }
 
 private:
   static constexpr std::size_t MostWalls = 3;

@@ -62,6 +62,7 @@ std::size_t ServoScene::Bytes() const noexcept
   {
     bytes += follower.Bytes();
   }
+  bytes += this->Tool != nullptr ? this->Tool->Bytes() : 0;
   return bytes;
 }
 

@@ -177,6 +177,20 @@ TEST(SharedTool, TickSaysWhereTheToolTouches)
   EXPECT_FALSE(sphere.Loop.Latest().HasFoot);
 }
 
+TEST(SharedTool, BytesGrowWithItsBalls)
+{
+  const auto bytes = [](double length)
+  {
+    std::unique_ptr<ServoScene> made;
+    const auto scene = std::make_shared<const TouchScene>(
+        SceneOf(Ball(), ToolShape::Capsule(ToolRadius, length, 26)));
+    EXPECT_TRUE(ServoScene::Make(scene, 0.005, made).IsOk());
+    return made->Bytes();
+  };
+  constexpr std::size_t OfBall = 500; // at least: the closest points that it tracks
+  EXPECT_GT(bytes(40.0), bytes(0.0) + 40 * OfBall);
+}
+
 TEST(SharedTool, NextSceneCarriesOn)
 {
   const auto scene =
