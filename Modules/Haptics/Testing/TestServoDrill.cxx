@@ -133,11 +133,14 @@ TEST(ServoDrill, ShaftTouchesButCutsNothing)
   run.Loop.RunDrill(true);
   for (int n = 0; n < 500; ++n)
   {
-    run.TickAt(pressed);
-    block.Editor->Take();
+    // A tool that were fed would sink until a version shows that nothing was cut.
+    ASSERT_NEAR(run.TickAt(pressed).norm(), force.norm(), Close) << n;
+    if (n % 100 == 99)
+    {
+      block.Editor->Take();
+    }
   }
   EXPECT_EQ(block.Editor->RemovedVolumes()[0], 0.0);
-  EXPECT_NEAR(run.TickAt(pressed).norm(), force.norm(), Close);
 }
 
 // Each pass slightly deeper, until nothing is left between the hand and its goal.
